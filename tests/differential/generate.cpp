@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <random>
 
 #include "case.h"
@@ -19,16 +20,23 @@ class Generator {
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
   bool oneIn(std::uint32_t n) { return below(n) == 0; }
 
-  // What the block mostly is made of, besides everything else: calls, or formal parameters.
-  enum class Mostly : std::uint8_t { Plain, Calls, Parameters };
+  // What the block mostly is made of, besides everything else: calls, or formal parameters; Short:
+  // nothing that keeps it from standing in a region of its caller, as far as a row tells.
+  enum class Mostly : std::uint8_t { Plain, Calls, Parameters, Short };
 
   std::vector<std::uint8_t> code(std::uint32_t instructions, Mostly mostly = Mostly::Plain) {
     mostly_ = mostly;
     std::vector<std::uint8_t> code;
-    if (!oneIn(4)) append(openBlock(false), code);
-    if (!oneIn(4)) append(openBlock(true), code);
-    while (instructions > 0)
-      if (append(row(), code)) --instructions;
+    if (mostly != Mostly::Short) {
+      if (!oneIn(4)) append(openBlock(false), code);
+      if (!oneIn(4)) append(openBlock(true), code);
+    }
+    while (instructions > 0) {
+      const std::size_t next = row();
+      if (!append(next, code)) continue;
+      --instructions;
+      if (mostly == Mostly::Short && isOpening(next)) appendQuery(code);
+    }
     code.insert(code.end(), {0x65, 0x00});  // BE
     fixJumps(code);
     return code;
@@ -78,12 +86,28 @@ class Generator {
   mc7::Instruction openBlock(bool instance) {
     return {Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1 + below(3), instance)};
   }
+  static bool isOpening(std::size_t row) {
+    const Operation o = mc7::encodings()[row].operation;
+    return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN;
+  }
+  // One operand, and the closing bracket.
+  void appendQuery(std::vector<std::uint8_t>& code) {
+    append({Operation::AND, mc7::memory(Area::Flag, Width::Bit, address(Width::Bit))}, code);
+    append({Operation::CLOSE, {}}, code);
+  }
+  static bool staysWithItsCaller(const mc7::Encoding& row) {
+    constexpr Operation kNot[] = {Operation::MCR_OPEN, Operation::MCR_CLOSE, Operation::MCRA,
+                                  Operation::MCRD,     Operation::CLOSE,     Operation::SPL,
+                                  Operation::LOOP};
+    return std::find(std::begin(kNot), std::end(kNot), row.operation) == std::end(kNot);
+  }
   // Every row now and then, what programs are made of more often.
   std::size_t row() {
     const auto rows = mc7::encodings();
     for (;;) {
       const std::size_t i = below(static_cast<std::uint32_t>(rows.size()));
       const Operation o = rows[i].operation;
+      if (mostly_ == Mostly::Short && !staysWithItsCaller(rows[i])) continue;
       const bool calls =
           o == Operation::UC || o == Operation::CC || o == Operation::BEB || o == Operation::BEA;
       const bool stops = o == Operation::MCR_OPEN || o == Operation::MCR_CLOSE ||
@@ -93,8 +117,9 @@ class Generator {
       const bool parameter = kind >= OperandKind::BlockIndirect || kind == OperandKind::Parameter ||
                              kind == OperandKind::TimerParameter ||
                              kind == OperandKind::CounterParameter;
-      const bool wanted = (mostly_ == Mostly::Calls && o == Operation::UC) ||
-                          (mostly_ == Mostly::Parameters && parameter);
+      const bool wanted =
+          (mostly_ == Mostly::Calls && o == Operation::UC) ||
+          ((mostly_ == Mostly::Parameters || mostly_ == Mostly::Short) && parameter);
       if ((calls || stops || parameter) && !oneIn(wanted ? 2 : 12)) continue;
       if (mostly_ == Mostly::Parameters && !parameter && oneIn(2)) continue;
       return i;
@@ -184,7 +209,7 @@ class Generator {
       mc7::Instruction jump = places[i].instruction;
       if (!places[i].known || jump.operand.kind != OperandKind::Jump) continue;
       if (i > 0 && places[i - 1].parameters != 0) continue;
-      const std::size_t first = oneIn(3) ? 0 : i + 1;
+      const std::size_t first = mostly_ != Mostly::Short && oneIn(3) ? 0 : i + 1;
       const std::size_t to = first + below(static_cast<std::uint32_t>(places.size() - first));
       const auto words = (static_cast<int>(places[std::min(to, places.size() - 1)].offset) -
                           static_cast<int>(places[i].offset)) /
@@ -201,6 +226,17 @@ class Generator {
   std::mt19937 random_;
 };
 
+// FB 2, until the nesting depth ends, with a call of FC 1 at each depth.
+std::vector<std::uint8_t> callsItself() {
+  std::vector<std::uint8_t> code;
+  (void)mc7::encode({Operation::UC, mc7::blockOperand(BlockKind::FC, 1)}, code);
+  code.insert(code.end(), {0x70, 0x0B, 0x00, 2 + 2 * 4});
+  for (int i = 0; i < 4; ++i) code.insert(code.end(), {0x83, 0x00, 0x00, 0x50});  // P#M 10.0
+  (void)mc7::encode({Operation::UC, mc7::blockOperand(BlockKind::FB, 2)}, code);
+  code.insert(code.end(), {0x65, 0x00});  // BE
+  return code;
+}
+
 void callSystem(std::vector<std::uint8_t>& code) {
   code.insert(code.begin(), {0x3D, 0x02, 0x3D, 0x03});  // UC FC 2, UC FC 3
 }
@@ -216,9 +252,14 @@ Case randomCase(std::uint32_t seed) {
   c.blocks[{BlockKind::OB, 1}] =
       generator.code(4 + generator.below(60), generator.oneIn(2) ? Mostly::Calls : Mostly::Plain);
   if (c.withSystemCalls()) callSystem(c.blocks[{BlockKind::OB, 1}]);
-  c.blocks[{BlockKind::FC, 1}] = generator.code(
-      1 + generator.below(20), generator.oneIn(4) ? Mostly::Plain : Mostly::Parameters);
-  c.blocks[{BlockKind::FB, 2}] = generator.code(1 + generator.below(12));
+  const bool isShort = generator.oneIn(2);
+  c.blocks[{BlockKind::FC, 1}] =
+      isShort ? generator.code(1 + generator.below(5), Mostly::Short)
+              : generator.code(1 + generator.below(20),
+                               generator.oneIn(4) ? Mostly::Plain : Mostly::Parameters);
+  c.blocks[{BlockKind::FB, 2}] = isShort ? generator.code(1 + generator.below(5), Mostly::Short)
+                                         : generator.code(1 + generator.below(12));
+  if (isShort && generator.oneIn(12)) c.blocks[{BlockKind::FB, 2}] = callsItself();
   for (const std::uint16_t ob : std::initializer_list<std::uint16_t>{35, 40, 121, 122})
     if (!generator.oneIn(3)) c.blocks[{BlockKind::OB, ob}] = generator.code(generator.below(8));
   return c;

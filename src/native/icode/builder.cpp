@@ -26,17 +26,17 @@ bool waits(Space space) { return isImage(space) || space == Space::Local; }
 }  // namespace
 
 void Builder::begin(std::uint32_t place, std::uint64_t cost) {
-  executed_ = region_.instructions++;
+  executed_ = region_->instructions++;
   costSoFar_ += cost_;
-  aheadBefore_ = std::exchange(region_.ahead, costSoFar_);
+  aheadBefore_ = std::exchange(region_->ahead, costSoFar_);
   place_ = place;
   cost_ = cost;
 }
 
 void Builder::cancel() {
-  --region_.instructions;
-  region_.ahead = aheadBefore_;
-  executed_ = region_.instructions;
+  --region_->instructions;
+  region_->ahead = aheadBefore_;
+  executed_ = region_->instructions;
   cost_ = 0;
 }
 
@@ -57,11 +57,11 @@ std::size_t slotOf(const Op& op) {
 Value Builder::append(Op op) {
   if (info(op.code).effect == Effect::Pure) {
     Value& made = made_[slotOf(op)];
-    if (made != kNoValue && region_.ops[made] == op) return made;
-    made = static_cast<Value>(region_.ops.size());
+    if (made != kNoValue && region_->ops[made] == op) return made;
+    made = static_cast<Value>(region_->ops.size());
   }
-  region_.ops.push_back(op);
-  return static_cast<Value>(region_.ops.size() - 1);
+  region_->ops.push_back(op);
+  return static_cast<Value>(region_->ops.size() - 1);
 }
 
 Value Builder::constant(std::uint32_t number) {
@@ -69,7 +69,7 @@ Value Builder::constant(std::uint32_t number) {
 }
 
 std::optional<std::uint32_t> Builder::number(Value value) const {
-  const Op& op = region_.ops[value];
+  const Op& op = region_->ops[value];
   if (op.code != Opcode::Constant) return std::nullopt;
   return op.number;
 }
@@ -83,7 +83,7 @@ Value Builder::get(Item item) {
 // A value with the same low half that took less to make.
 Value Builder::lowHalf(Value value) const {
   for (;;) {
-    const Op& op = region_.ops[value];
+    const Op& op = region_->ops[value];
     if (op.code == Opcode::LowFrom)
       value = op.b;
     else if (op.code == Opcode::Sext16 || op.code == Opcode::Zext16)
@@ -95,10 +95,20 @@ Value Builder::lowHalf(Value value) const {
 
 // The high half is 0.
 bool Builder::isWord(Value value) const {
-  const Op& op = region_.ops[value];
+  const Op& op = region_->ops[value];
   const bool loaded = op.code == Opcode::Load8 || op.code == Opcode::Load16;
   const bool extended = op.code == Opcode::Zext8 || op.code == Opcode::Zext16;
   return loaded || extended || (op.code == Opcode::Constant && op.number <= 0xFFFF);
+}
+
+// All bits above the lowest eight are 0.
+bool Builder::isByte(Value value) const {
+  constexpr int kFar = 8;
+  for (int i = 0; i < kFar && region_->ops[value].code == Opcode::Insert; ++i)
+    value = region_->ops[value].a;
+  const Op& op = region_->ops[value];
+  return op.code == Opcode::Load8 || op.code == Opcode::Zext8 ||
+         (op.code == Opcode::Constant && op.number <= 0xFF);
 }
 
 // What comes out of numbers that are known.
@@ -111,39 +121,17 @@ std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
 
 Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
   if (const auto known = folded(code, a, b, number)) return constant(*known);
+  if ((code == Opcode::Add || code == Opcode::Sub) && isNumber(b, 0)) return a;
   if (code == Opcode::Sext16 || code == Opcode::Zext16) a = lowHalf(a);
   if (code == Opcode::Zext16 && isWord(a)) return a;
+  if (code == Opcode::Zext8 && isByte(a)) return a;
   if (code == Opcode::LowFrom) b = lowHalf(b);
   if (code == Opcode::LowFrom && isWord(a)) return make(Opcode::Zext16, b);
-  if (code == Opcode::LowFrom && region_.ops[a].code == Opcode::LowFrom) a = region_.ops[a].a;
+  if (code == Opcode::LowFrom && region_->ops[a].code == Opcode::LowFrom) a = region_->ops[a].a;
   return append({.code = code, .a = a, .b = b, .number = number});
 }
 Value Builder::make3(Opcode code, Value a, Value b, Value c) {
   return append({.code = code, .a = a, .b = b, .c = c});
-}
-
-Value Builder::andBit(Value a, Value b) {
-  if (number(a)) std::swap(a, b);
-  if (const auto n = number(b)) return (*n & 1) != 0 ? a : b;
-  return make(Opcode::AndBit, a, b);
-}
-
-Value Builder::orBit(Value a, Value b) {
-  if (number(a)) std::swap(a, b);
-  if (const auto n = number(b)) return (*n & 1) != 0 ? b : a;
-  return make(Opcode::OrBit, a, b);
-}
-
-Value Builder::xorBit(Value a, Value b) {
-  if (number(a)) std::swap(a, b);
-  if (const auto n = number(b)) return (*n & 1) != 0 ? notBit(a) : a;
-  return make(Opcode::XorBit, a, b);
-}
-
-Value Builder::notBit(Value a) {
-  if (const auto n = number(a)) return constant(~*n & 1);
-  if (region_.ops[a].code == Opcode::NotBit) return region_.ops[a].a;
-  return make(Opcode::NotBit, a);
 }
 
 Space Builder::held(Space space) const {
@@ -204,16 +192,23 @@ Value Builder::load(Space space, std::uint32_t place, unsigned bytes) {
   return value;
 }
 
+// A load gives the byte or word, not what else the register has.
+Value Builder::loaded(unsigned bytes, Value value) {
+  return bytes == 4 ? value : make(bytes == 2 ? Opcode::Zext16 : Opcode::Zext8, value);
+}
+
 void Builder::store(Space space, std::uint32_t place, unsigned bytes, Value value) {
   space = held(space);
-  forget(space, place, bytes);
   if (bytes == 2) value = lowHalf(value);
   const bool later = bytes == 1 && waits(space);
+  const Value now = later ? value : loaded(bytes, value);
+  for (const Byte& byte : bytes_)  // it is there already
+    if (byte.space == space && byte.place == place && byte.bytes == bytes && byte.value == now)
+      return;
+  forget(space, place, bytes);
   bytes_.push_back({space, place, bytes, value, later});
   if (!later) storeNow(bytes_.back());
-  // A load gives the byte or word, not what else the register has.
-  if (bytes == 2) bytes_.back().value = make(Opcode::Zext16, value);
-  if (bytes == 1 && !later) bytes_.pop_back();
+  bytes_.back().value = now;
 }
 
 void Builder::writeBackAll(Space space) {
@@ -280,6 +275,7 @@ void Builder::reopen(Space space) {
 // While the registers are still to be exchanged, one copy does for that: what this one held is
 // gone.
 void Builder::open(Space space, Value number, Opening wanted) {
+  if (isOpen(space, number, wanted)) return;
   wanted.moves = swapped_;
   append({.code = Opcode::Open,
           .space = space,
@@ -288,6 +284,13 @@ void Builder::open(Space space, Value number, Opening wanted) {
           .place = wanted.packed()});
   if (std::exchange(swapped_, false)) exchangeKnown();
   reopen(space);
+  opened_[static_cast<std::size_t>(space)] = {number, wanted};
+}
+
+bool Builder::isOpen(Space space, Value number, const Opening& wanted) const {
+  const Opened& opened = opened_[static_cast<std::size_t>(held(space))];
+  return opened.number == number && opened.is.bytes >= wanted.bytes &&
+         (opened.is.write || !wanted.write);
 }
 
 // What is known of the blocks is known of them in their new registers; what the region needs at its
@@ -296,6 +299,7 @@ void Builder::exchangeKnown() {
   const auto data = static_cast<std::size_t>(Space::Data),
              instance = static_cast<std::size_t>(Space::Instance);
   std::swap(bases_[data], bases_[instance]);
+  std::swap(opened_[data], opened_[instance]);
   reopened_[data] = reopened_[instance] = true;
   for (const std::size_t write : {0, 1})
     std::swap(limits_[2 * data + write], limits_[2 * instance + write]);

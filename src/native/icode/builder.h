@@ -17,7 +17,7 @@ class Builder {
   // region has.
   static constexpr std::size_t kRecent = 2048;
 
-  explicit Builder(Region& region) : region_(region) {
+  explicit Builder(Region& region) : region_(&region) {
     limits_.fill(kNoValue);
     made_.fill(kNoValue);
   }
@@ -57,6 +57,9 @@ class Builder {
   Value orBit(Value a, Value b);
   Value xorBit(Value a, Value b);
   Value notBit(Value a);
+  // Of a byte.
+  Value bitOf(Value byte, std::uint32_t number);
+  Value withBit(Value byte, Value bit, std::uint32_t number);
 
   // Direct places: 1, 2 or 4 bytes.
   Value load(Space space, std::uint32_t place, unsigned bytes);
@@ -91,12 +94,21 @@ class Builder {
   void returnFrom(std::uint32_t front, Value condition = kNoValue);
   // The state in front of this instruction, for a guard that follows behind what it sets.
   std::uint32_t front() { return exit(place_, true); }
+  // A call whose block stands in the region: what follows are its instructions, until comeBack.
+  void goInto(const Inlined& call, std::uint32_t front);
+  void comeBack();
+  // If the block changes data block registers or AR2: as they are in front of it, and again behind.
+  struct Kept;
+  Kept keep();
+  void giveBack(const Kept& kept);
+  // After all that the instruction sets, with the bit: back to the caller.
+  void branchBack(Value bit);
   // The end of the region, unless the interpreter must do it.
   void call(Value number, const CallSite& site, std::uint32_t front);
   void giveBack(std::uint32_t front);
 
   // At the end of this instruction.
-  Value timerStatus(std::uint32_t number) { return atTheEnd(Opcode::TimerStatus, number); }
+  Value timerRuns(std::uint32_t number) { return atTheEnd(Opcode::TimerRuns, number); }
   Value timerUnits(std::uint32_t number) { return atTheEnd(Opcode::TimerUnits, number); }
   // Of timers and counters.
   Value field(Field field, std::uint32_t number);
@@ -120,6 +132,10 @@ class Builder {
   std::optional<std::uint32_t> folded(Opcode code, Value a, Value b, std::uint32_t number) const;
   Value lowHalf(Value value) const;
   bool isWord(Value value) const;
+  bool isByte(Value value) const;
+  bool isNegation(Value bit, Value of) const;
+  std::optional<Value> assigned(Value& byte, std::uint32_t number) const;
+  Value loaded(unsigned bytes, Value value);
   Value append(Op op);
   Value atTheEnd(Opcode code, std::uint32_t number);
   Value base(Space space);
@@ -134,11 +150,18 @@ class Builder {
   std::uint32_t exit(std::uint32_t to, bool inFront = false);
   void leaveBy(std::uint32_t exit, Value condition);
 
+  // The block that this region opened in a register, and what is known of it.
+  struct Opened {
+    Value number = kNoValue;
+    Opening is{};
+  };
+  bool isOpen(Space space, Value number, const Opening& wanted) const;
   void act(Opcode code, Value a, std::uint32_t number, std::uint32_t place = 0);
   void reopen(Space space);
 
-  Region& region_;
+  Region* region_;
   bool swapped_ = false;
+  std::array<Opened, kSpaces> opened_{};
   std::array<bool, kSpaces> reopened_{};  // these by the register that holds the block
   std::array<Value, 2 * kSpaces> limits_;
   // Pure operations made a moment ago, by a hash of what they are.
@@ -148,8 +171,17 @@ class Builder {
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   std::vector<Byte> bytes_;
   std::vector<FieldValue> fields_;
-  std::uint32_t place_ = 0, executed_ = 0;  // in front of this instruction
+  std::uint32_t inside_ = 0, position_ = Exit::kNoPosition;  // as in Exit
+  std::uint32_t place_ = 0, executed_ = 0;                   // in front of this instruction
   std::uint64_t cost_ = 0, costSoFar_ = 0, aheadBefore_ = 0;
+};
+
+struct Builder::Kept {
+  Held ar2;
+  std::array<Value, 6> bases;
+  std::array<Value, 2 * kSpaces> limits;
+  std::array<Opened, kSpaces> opened;
+  std::array<bool, kSpaces> reopened;
 };
 
 }  // namespace merker::icode

@@ -1,5 +1,6 @@
 // Backwards over a region: what no acting operation and no exit reads is not needed. Comparisons
-// whose bit only exits read, condition codes above all, are left to these.
+// whose bit only exits read, condition codes above all, are left to these, and so are words in an
+// accumulator.
 #include "icode/region.h"
 
 namespace merker::icode {
@@ -21,7 +22,8 @@ class Marker {
     if (value != kNoValue) region_.ops[value].needed = true;
   }
   static bool canBeLate(Opcode code) {
-    return (code >= Opcode::Equal && code <= Opcode::BelowEqual) || code == Opcode::LessReal;
+    return (code >= Opcode::Equal && code <= Opcode::BelowEqual) || code == Opcode::LessReal ||
+           code == Opcode::Zext16;
   }
   void markLate() {
     for (Op& op : region_.ops) op.late = op.needed && canBeLate(op.code);

@@ -17,6 +17,7 @@ std::string exitText(const Region& region, const Exit& exit) {
   std::string text =
       fmt::format(" -> {} after {} instructions, {} ns:", exit.to, exit.instructions, exit.cost);
   if (exit.swapped) text += " TDB";
+  if (exit.inside != 0) text += fmt::format(" inside {}", exit.inside);
   if (exit.way == Way::Call) text += fmt::format(" call {}", exit.site);
   if (exit.way == Way::Return) text += " return";
   for (std::uint32_t i = 0; i < exit.bytes; ++i) {
@@ -43,10 +44,9 @@ std::string print(const Region& region) {
     if (op.code == Opcode::Get) text += fmt::format(" {}", name(op.item));
     if (op.code >= Opcode::Base && op.code <= Opcode::WriteLimit)
       text += fmt::format(" {} {}", name(op.space), op.place);
-    if (op.code < Opcode::Guard)
-      text += fmt::format(" {:#x}", op.number);
-    else
-      text += exitText(region, region.exits[op.number]);
+    if (op.code < Opcode::Guard) text += fmt::format(" {:#x}", op.number);
+    for (const std::uint32_t exit : ExitsOf(region, op))
+      text += exitText(region, region.exits[exit]);
     text += '\n';
   }
   return text;

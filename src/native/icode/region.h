@@ -86,7 +86,7 @@ struct Op {
   Space space = Space::Input;
   Item item = Item::Accu1;
   bool needed = true;  // false: nobody reads it (optimiser)
-  bool late = false;   // a comparison that only exits read: computed there (optimiser)
+  bool late = false;   // only exits read it: computed there (optimiser)
   Value a = kNoValue, b = kNoValue, c = kNoValue;
   std::uint32_t number = 0;  // constant, bit, shift, number of a timer; ways out: which exit
   std::uint32_t place = 0;   // byte of the space
@@ -136,6 +136,12 @@ struct Exit {
   Way way = Way::On;
   std::uint32_t site = 0;   // of the call
   std::uint32_t front = 0;  // exit instead of it, if the block stack does not allow that way
+  // In a block that stands in the region (Region::inlined, counted from 1): its frame, and those of
+  // its callers as far as they stand there, are written now.
+  std::uint32_t inside = 0;
+  // Of the call that came last and stands in the region; kNoPosition: none.
+  std::uint32_t position = kNoPosition;
+  static constexpr std::uint32_t kNoPosition = UINT32_MAX;
 };
 
 // UC or CC with what stands behind it.
@@ -144,6 +150,21 @@ struct CallSite {
   std::uint32_t offset = 0;  // of the instruction in its block, bytes
   std::uint32_t resume = 0;  // instruction behind it
   std::uint32_t firstParameter = 0, parameters = 0;
+};
+
+// A call whose block stands in the region with its instructions.
+struct Inlined {
+  std::uint32_t outer = 0;  // in which it is called, as Exit::inside
+  bool functionBlock = false;
+  std::uint32_t number = 0;    // of the block
+  const void* mark = nullptr;  // what the block carries as long as its instructions are these
+  std::uint32_t offset = 0;    // of the call in its block, bytes
+  std::uint32_t resume = 0;    // instruction behind it
+  const std::uint32_t* list = nullptr;  // behind the call
+  std::uint32_t parameters = 0;         // entries of it
+  std::uint32_t depth = 0;              // frames that are not written, without its own
+  std::uint32_t localBytes = 0;         // local data of all these and its own
+  bool keeps = false;                   // its frame has what the caller gets back (KeepFrame)
 };
 
 // What must hold at the entry; otherwise the interpreter goes through the region.
@@ -167,13 +188,15 @@ struct Region {
   std::vector<StateWrite> states;
   std::vector<ByteWrite> bytes;
   std::vector<CallSite> calls;
+  std::vector<Inlined> inlined;
 };
 
 // What `op` may leave the region by; nothing if it is no way out.
 class ExitsOf {
  public:
   ExitsOf(const Region& region, const Op& op) {
-    if (op.code < Opcode::Guard) return;
+    if (op.code < Opcode::Guard || op.code == Opcode::KeepFrame || op.code == Opcode::GiveBack)
+      return;
     exits_[count_++] = op.number;
     if (op.number >= region.exits.size()) return;
     const Exit& exit = region.exits[op.number];

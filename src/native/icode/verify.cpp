@@ -24,6 +24,8 @@ std::string wrongExit(const Region& region, std::size_t at, std::uint32_t number
   if (exit.firstState + exit.states > region.states.size() ||
       exit.firstByte + exit.bytes > region.bytes.size())
     return fmt::format("exit {}: beyond the lists", number);
+  if (exit.inside > region.inlined.size())
+    return fmt::format("exit {}: no block {} stands in the region", number, exit.inside);
   for (std::uint32_t i = 0; i < exit.states; ++i)
     if (region.states[exit.firstState + i].value >= at)
       return fmt::format("exit {}: a register is not defined yet", number);

@@ -14,6 +14,12 @@ void copyBlock(host::Assembler& code, const host::Gp& to, int toAt, const host::
   code.mov(host::qword_ptr(to, toAt + 16), host::rcx);
 }
 
+void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
+                int fromAt) {
+  for (const int block : {0, Layout::kOpenBytes})
+    copyBlock(code, to, toAt + block, from, fromAt + block);
+}
+
 void swapBlocks(const Unit& unit) {
   host::Assembler& code = unit.code;
   const int data = unit.layout.data.begin, instance = unit.layout.instance.begin;

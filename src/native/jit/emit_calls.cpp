@@ -12,13 +12,6 @@ namespace {
 
 using Frames = Layout::Frames;
 
-// Both data block registers, which lie one behind the other.
-void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
-                int fromAt) {
-  for (const int block : {0, Layout::kOpenBytes})
-    copyBlock(code, to, toAt + block, from, fromAt + block);
-}
-
 // ax: entries of the list
 void depth(host::Assembler& code, const Layout::List& list, unsigned entryBytes) {
   code.mov(host::rax, inState(list.end));
@@ -76,14 +69,20 @@ void writeNewFrame(host::Assembler& code, const Frames& frames, const host::Gp& 
   code.mov(host::dword_ptr(frame, at.parameterCount), host::r9d);
 }
 
-// What the caller gets back, or finds unchanged.
+// What the caller gets back.
 void writeKept(const Unit& unit, const host::Gp& frame) {
   host::Assembler& code = unit.code;
-  const Frames& frames = *unit.layout.frames;
-  const Layout::Frame& at = frames.frame;
+  const Layout::Frame& at = unit.layout.frames->frame;
   copyBlocks(code, frame, at.data, kState, unit.layout.data.begin);
   code.mov(host::eax, host::dword_ptr(kState, unit.layout.offsetOf(icode::Item::Ar2)));
   code.mov(host::dword_ptr(frame, at.ar2), host::eax);
+}
+
+// What it finds unchanged.
+void writeDepths(const Unit& unit, const host::Gp& frame) {
+  host::Assembler& code = unit.code;
+  const Frames& frames = *unit.layout.frames;
+  const Layout::Frame& at = frames.frame;
   code.movzx(host::eax, host::byte_ptr(kState, frames.relayActive));
   code.mov(host::byte_ptr(frame, at.relayActive), host::al);
   relayDepth(code, frames);
@@ -98,26 +97,33 @@ void writeRelayOn(host::Assembler& code, const Frames& frames) {
 }
 
 // rdx: code of the block, esi: instruction behind the call, edi: offset of the call, r8 and r9d:
-// parameter list and its length. Reached by a call of the host, whose return address goes at once:
-// the host only remembers it as the place where the ret of leaveBlock will lead.
-void writeEnterBlock(const Unit& unit) {
+// parameter list and its length. `kept`: what the caller gets back is there already.
+void writePush(const Unit& unit, bool kept) {
   const host::Gp caller = host::rcx, frame = host::r10;
   host::Assembler& code = unit.code;
   const Frames& frames = *unit.layout.frames;
-  code.add(host::rsp, 8);
   code.mov(caller, inState(frames.top));
   code.mov(host::dword_ptr(kState, frames.position), host::edi);
   code.mov(host::dword_ptr(caller, frames.frame.resume), host::esi);
   code.lea(frame, host::ptr(caller, frames.frame.bytes));
   writeNewFrame(code, frames, caller, frame);
-  writeKept(unit, frame);
+  if (!kept) writeKept(unit, frame);
+  writeDepths(unit, frame);
   code.mov(inState(frames.top), frame);
   code.add(frame, frames.frame.bytes);
   code.mov(inState(frames.end), frame);
   code.mov(host::rax, inState(frames.level));
   code.inc(host::dword_ptr(host::rax, frames.levelBlocks));
   writeRelayOn(code, frames);  // a block begins without the master control relay
-  code.mov(host::rdx, host::qword_ptr(host::rdx, frames.code.native));
+}
+
+// Reached by a call of the host, whose return address goes at once: the host only remembers it as
+// the place where the ret of leaveBlock will lead.
+void writeEnterBlock(const Unit& unit) {
+  host::Assembler& code = unit.code;
+  code.add(host::rsp, 8);
+  writePush(unit, false);
+  code.mov(host::rdx, host::qword_ptr(host::rdx, unit.layout.frames->code.native));
   code.xor_(host::eax, host::eax);
   code.jmp(host::qword_ptr(host::rdx));
 }
@@ -156,6 +162,12 @@ void writeBlockChanges(const Unit& unit) {
   writeEnterBlock(unit);
   code.bind(unit.leaveBlock);
   writeLeaveBlock(unit);
+  code.bind(unit.pushFrame);
+  writePush(unit, false);
+  code.ret();
+  code.bind(unit.pushKept);
+  writePush(unit, true);
+  code.ret();
   code.bind(unit.canCallFunction);
   writeCanCall(code, frames, frames.functions);
   code.bind(unit.canCallFunctionBlock);

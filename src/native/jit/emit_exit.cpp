@@ -68,7 +68,8 @@ std::vector<RegionCode::StateSpot> RegionCode::spotsOfStates(const Exit& exit) c
     const icode::Value value = region_.states[exit.firstState + i].value;
     const Op& op = region_.ops[value];
     spots[i].value = places_.spot(places_.root(value));
-    if (op.late) spots[i] = {{}, places_.spot(op.a), places_.spot(op.b)};
+    if (op.late) spots[i] = {{}, places_.spot(op.a), {}};
+    if (op.late && op.b != icode::kNoValue) spots[i].b = places_.spot(op.b);
   }
   return spots;
 }
@@ -141,6 +142,7 @@ host::Gp RegionCode::fetch(const Spot& spot, const host::Gp& scratch) {
 
 void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot) {
   const Op& op = region_.ops[write.value];
+  if (op.code == icode::Opcode::Zext16) return writeWord(write, spot.a);
   CondCode condition = conditionOf(op.code);
   const bool real = op.code == icode::Opcode::LessReal;
   if (!real && spot.a.kind == Spot::Kind::Constant && spot.b.kind != Spot::Kind::Constant)
@@ -150,6 +152,16 @@ void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot
   code_.movd(host::xmm1, fetch(spot.b, host::eax));
   code_.ucomiss(host::xmm1, host::xmm0);
   writeCondition(write, condition);
+}
+
+void RegionCode::writeWord(const icode::StateWrite& write, const Spot& spot) {
+  code_.movzx(host::eax, fetch(spot, host::eax).r16());
+  if (icode::isBit(write.item)) {
+    code_.and_(host::eax, 1);
+    code_.mov(host::byte_ptr(kState, offsetOf(write.item)), host::al);
+  } else {
+    code_.mov(host::dword_ptr(kState, offsetOf(write.item)), host::eax);
+  }
 }
 
 void RegionCode::writeCompared(const icode::StateWrite& write, const Spot& a, const Spot& b,
@@ -184,6 +196,8 @@ void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& stat
       writeItem(write, spot);
   }
   constants.write(code_);
+  if (exit.position != Exit::kNoPosition)
+    code_.mov(host::dword_ptr(kState, frames().position), exit.position);
   for (std::uint32_t i = 0; i < exit.bytes; ++i)
     writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
 }

@@ -60,6 +60,7 @@ void RegionCode::checkStack(const Exit& exit, const asmjit::Label& front) {
 }
 
 void RegionCode::goOn(const Exit& exit, std::uint32_t next) {
+  if (exit.inside != 0) return goInside(exit);
   if (exit.way == Way::On) return goTo(exit.to, next);
   const Layout::Blocks& blocks = *unit_.layout.blocks;
   if (exit.way == Way::Call) {

@@ -5,7 +5,6 @@ namespace merker::jit {
 
 using icode::Field;
 using icode::Op;
-using icode::TimerKind;
 
 const Layout::Cells& RegionCode::cells(Field field) const {
   return icode::isTimer(field) ? unit_.layout.timers : unit_.layout.counters;
@@ -19,26 +18,11 @@ int RegionCode::timerEnd(const Op& op) const {
   return static_cast<int>(op.number) * unit_.layout.timers.bytes + unit_.layout.timerEnd;
 }
 
-// S7-TMR: started and not yet over, the delays started and over; SS and SA also while held.
-void RegionCode::TimerStatus(const Op& op) {
-  const auto part = [&](Field which) { return host::byte_ptr(host::rcx, offsetOf(which, op)); };
-  const host::Gp to = places_.out();
+void RegionCode::TimerRuns(const Op& op) {
   code_.mov(host::rcx, inState(unit_.layout.timers.first));
   code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
   code_.cmp(host::rax, host::qword_ptr(host::rcx, timerEnd(op)));
-  code_.setl(host::al);
-  code_.movzx(host::edx, part(Field::TimerKind));
-  code_.mov(to, host::edx);
-  code_.sub(host::edx, static_cast<int>(TimerKind::OnDelay));
-  code_.cmp(host::edx, 2);
-  code_.setb(host::dl);
-  code_.xor_(host::al, host::dl);
-  code_.and_(host::al, part(Field::TimerStarted));
-  code_.cmp(to, static_cast<int>(TimerKind::StoredOnDelay));
-  code_.setae(host::dl);
-  code_.and_(host::dl, part(Field::TimerHeld));
-  code_.or_(host::al, host::dl);
-  code_.movzx(to, host::al);
+  flag(host::CondCode::kL);
 }
 
 // Of what runs, in units, rounded up; otherwise what was left when it was stopped.

@@ -52,6 +52,7 @@ struct Layout {
   // gets back:
   struct Code {
     int native = 0;  // address of NativeCode::entries; null: not compiled
+    int mark = 0;    // icode::Inlined::mark; null: the block must be called
     int localBytes = 0;
   };
   struct Frame {

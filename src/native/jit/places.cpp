@@ -32,7 +32,8 @@ void Places::use(Value value, std::uint32_t at) {
   if (value == kNoValue) return;
   lastUse_[value] = at;
   const icode::Op& op = region_.ops[value];
-  if (op.late) lastUse_[op.a] = lastUse_[op.b] = at;
+  if (op.late) lastUse_[op.a] = at;
+  if (op.late && op.b != kNoValue) lastUse_[op.b] = at;
   if (op.code == icode::Opcode::BitOf) lastUse_[op.a] = at;
 }
 

@@ -23,7 +23,8 @@ struct Unit {
   // emit_calls.cpp
   asmjit::Label enterBlock = code.newLabel(), enterWithout = code.newLabel(),
                 leaveBlock = code.newLabel(), canCallFunction = code.newLabel(),
-                canCallFunctionBlock = code.newLabel();
+                canCallFunctionBlock = code.newLabel(), pushFrame = code.newLabel(),
+                pushKept = code.newLabel();
   asmjit::Label entrance = code.newLabel();  // emit_links.cpp
   std::vector<asmjit::Label> regions{};      // by instruction; not valid where none begins
 };
@@ -32,6 +33,9 @@ struct Unit {
 void copyBlock(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
                int fromAt);
 void swapBlocks(const Unit& unit);  // rax, too
+// Of both registers, which lie one behind the other.
+void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
+                int fromAt);
 
 // What calls and returns of a block have in common.
 void writeBlockChanges(const Unit& unit);
@@ -51,7 +55,7 @@ class RegionCode {
  private:
   struct StateSpot {
     Spot value;
-    Spot a{}, b{};  // of a late comparison
+    Spot a{}, b{};  // of a late operation
   };
   struct WayOut {
     asmjit::Label label;
@@ -119,11 +123,16 @@ class RegionCode {
   void writeCompared(const icode::StateWrite& write, const Spot& a, const Spot& b,
                      asmjit::x86::CondCode condition);
   void writeCondition(const icode::StateWrite& write, asmjit::x86::CondCode condition);
+  void writeWord(const icode::StateWrite& write, const Spot& spot);
   void writeLate(const icode::StateWrite& write, const StateSpot& spot);
   host::Gp fetch(const Spot& spot, const host::Gp& scratch);
   void writeByte(const icode::ByteWrite& write, const Spot& spot);
   void charge(const icode::Exit& exit);
   void goTo(std::uint32_t instruction, std::uint32_t next);
+  void loadCode(const icode::Inlined& call);
+  void pushFrame(const icode::Inlined& call);
+  void goInside(const icode::Exit& exit);
+  int frameOf(const icode::Inlined& call) const;
   asmjit::Label frontOf(const icode::Exit& exit);
   void checkStack(const icode::Exit& exit, const asmjit::Label& front);
   void goOn(const icode::Exit& exit, std::uint32_t next);

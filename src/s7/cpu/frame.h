@@ -18,6 +18,9 @@ struct Code {
   std::uint32_t localBytes = 0;  // even
   // Compiled code: where the host goes on for each instruction; null while there is none.
   const void* const* native = nullptr;
+  // What compiled code of a caller looks for that has this block's instructions in itself; null:
+  // the block must be called.
+  const void* mark = nullptr;
   // Instructions that look at a running timer's time, or in OB 1 at its date, wherever they are
   // executed.
   std::vector<Look> looks;

@@ -23,7 +23,10 @@ const Op* runCompiled(cpu::Machine& m, const Op* op) {
 void attachCompiled(Translated& code) {
   if (code.compiled == nullptr || !code.uncompiled.empty()) return;
   // A call of a block with checks, or out of one, comes back to an op that is no instruction.
-  if (code.side.empty()) code.native = code.compiled->entries();
+  if (code.side.empty()) {
+    code.native = code.compiled->entries();
+    code.mark = code.identity.get();
+  }
   code.uncompiled.resize(code.instructionCount);
   for (std::uint32_t i = 0; i < code.instructionCount; ++i) {
     code.uncompiled[i] = code.ops[i].run;
@@ -35,6 +38,7 @@ void detachCompiled(Translated& code) {
   for (std::uint32_t i = 0; i < code.uncompiled.size(); ++i) code.ops[i].run = code.uncompiled[i];
   code.uncompiled.clear();
   code.native = nullptr;
+  code.mark = nullptr;
 }
 
 void setCompiled(Translated& code, std::shared_ptr<const Compiled> compiled) {

@@ -33,8 +33,11 @@ struct Translated : cpu::Code {
   Recorder* recorder = nullptr;
   cpu::Probe* probe = nullptr;               // probing.h
   std::shared_ptr<const Compiled> compiled;  // compiled.h
-  std::vector<Handler> uncompiled;           // the handlers that compiled code stands in front of
-  std::vector<Handler> unprobed;             // the handlers that a probe stands in front of
+  // Where `mark` leads to while the block is compiled. Whoever copies its instructions keeps it, so
+  // that no other block is taken for this one.
+  std::shared_ptr<const int> identity;
+  std::vector<Handler> uncompiled;  // the handlers that compiled code stands in front of
+  std::vector<Handler> unprobed;    // the handlers that a probe stands in front of
 };
 
 inline const Translated& codeOf(const cpu::Frame& frame) {

@@ -225,8 +225,6 @@ constexpr Row kBitsRows[] = {{Operation::AND, query<Logic::And, false>},
                              {Operation::NOT, invert},
                              {Operation::SAVE, save}};
 
-bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN; }
-
 bool isQuery(Operation o) { return o <= Operation::XOR_NOT; }
 
 // Changes status bits only.
@@ -246,8 +244,8 @@ bool prepareQuery(Lowering& outer, std::uint32_t place) {
       kind != OperandKind::RegisterIndirect && kind != OperandKind::RegisterCrossing &&
       kind != OperandKind::Parameter)
     return false;
-  Lowering l{outer.to, outer.needs,    outer.model,   outer.listing,
-             place,    outer.brackets, outer.reached, outer.ahead};
+  Lowering l{outer.to,       outer.needs,   outer.model, outer.listing, place,
+             outer.brackets, outer.reached, outer.ahead, outer.inside};
   const auto found = bitPlace(l, false);
   if (found) outer.ahead.emplace(place, *found);
   return found.has_value();
@@ -265,7 +263,7 @@ std::optional<Value> readBit(Lowering& l) {
       return stateOf(b, static_cast<StatusQuery>(o.value));
     case OperandKind::Timer:
       if (o.value >= l.model.timers) return std::nullopt;
-      return b.timerStatus(o.value);
+      return timerStatus(l);
     case OperandKind::Counter:
       if (o.value >= l.model.counters) return std::nullopt;
       return b.make(Opcode::NotEqual, b.field(icode::Field::CounterCount, o.value), b.constant(0));

@@ -37,7 +37,7 @@ std::optional<Dynamic> dynamic(Lowering& l) {
   if (o.kind != OperandKind::MemoryIndirect) return std::nullopt;
   const auto from = spaceOf(o.pointerArea);
   if (!from || !reachable(l, *from, o.value + 4, false)) return std::nullopt;
-  const Value pointer = l.to.load(*from, o.value, 4);
+  const Value pointer = l.to.load(*from, l.at(*from, o.value), 4);
   return Dynamic{*space, l.to.make(Opcode::And, pointer, l.to.constant(0x7FFFF))};
 }
 
@@ -114,7 +114,10 @@ BitPlace aligned(Lowering& l, const Dynamic& d, const Access& access, const Want
   const std::uint32_t end = d.offset / 8 + access.bytes;
   if (!isReached(l, d.space, byte, end, access.write))
     guardEnd(l, d.space, byte, std::max(end, wanted.end), access.write || wanted.write);
-  return {.space = d.space, .place = d.offset / 8, .offset = byte, .direct = d.offset & 7};
+  return {.space = d.space,
+          .place = l.at(d.space, d.offset / 8),
+          .offset = byte,
+          .direct = d.offset & 7};
 }
 
 BitPlace anywhere(Lowering& l, const Dynamic& d, const Access& access) {
@@ -125,16 +128,33 @@ BitPlace anywhere(Lowering& l, const Dynamic& d, const Access& access) {
   const Value byte = b.withNumber(Opcode::Shr, address, 3);
   if (!isReached(l, d.space, byte, access.bytes, access.write))
     guardEnd(l, d.space, byte, access.bytes, access.write);
-  return {.space = d.space, .offset = byte, .bit = bit};
+  return {.space = d.space, .place = l.at(d.space, 0), .offset = byte, .bit = bit};
 }
 
-// Behind LAR1 P#M 10.0 an image's byte is known now. Other addresses need a look when it runs.
-std::optional<BitPlace> known(const Lowering& l, std::optional<Space> space, Value address,
-                              const Access& access) {
+// Of a block that stands in the region of its caller.
+std::optional<BitPlace> knownLocal(const Lowering& l, Area area, std::uint32_t bit,
+                                   std::uint32_t bytes) {
+  if (l.inside == nullptr) return std::nullopt;
+  const Inside& in = *l.inside;
+  const bool caller = area == Area::CallerLocal;
+  const std::uint32_t byte = bit / 8;
+  if (byte + bytes > (caller ? in.callerLocalBytes : in.localBytes)) return std::nullopt;
+  constexpr std::uint32_t kStartInformation = 20;  // S7-OBI-01: the date in it is watched
+  if (caller && in.callerIsOb && byte < kStartInformation) return std::nullopt;
+  return BitPlace{.space = Space::Local,
+                  .place = (caller ? in.callerLocal : in.local) + byte,
+                  .direct = bit & 7};
+}
+
+// Behind LAR1 P#M 10.0 the byte is known now. Other addresses need a look when it runs.
+std::optional<BitPlace> known(Lowering& l, Area area, Value address, const Access& access) {
+  constexpr std::uint32_t kHighest = 0x7FFFF;  // bit address
   const auto bit = l.to.number(address);
-  if (!bit || !space || !icode::isImage(*space) || (access.whole && *bit % 8 != 0))
-    return std::nullopt;
-  if (std::uint64_t{*bit / 8} + access.bytes > imageLength(l.model, *space)) return std::nullopt;
+  if (!bit || *bit > kHighest || (access.whole && *bit % 8 != 0)) return std::nullopt;
+  if (area == Area::Local || area == Area::CallerLocal)
+    return knownLocal(l, area, *bit, access.bytes);
+  const auto space = spaceOf(area);
+  if (!space || !reachable(l, *space, *bit / 8 + access.bytes, access.write)) return std::nullopt;
   return BitPlace{.space = *space, .place = *bit / 8, .direct = *bit & 7};
 }
 
@@ -144,7 +164,9 @@ std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
   const Operand& o = l.operand();
   Value pointer = icode::kNoValue, address = icode::kNoValue;
   if (o.kind == OperandKind::Parameter) {
-    pointer = parameterPointer(l);
+    const auto entry = parameterPointer(l);
+    if (!entry) return std::nullopt;
+    pointer = *entry;
     address = b.make(Opcode::And, pointer, b.constant(0x7FFFF));
   } else {
     pointer = registerOf(l);
@@ -152,8 +174,8 @@ std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
     if (o.value != 0) address = b.make(Opcode::Add, address, b.constant(o.value));
   }
   if (const auto area = b.number(pointer))
-    if (const auto place = known(l, spaceOf(static_cast<Area>(*area >> 24)), address, access))
-      return place;
+    if (const auto place = known(l, static_cast<Area>(*area >> 24), address, access)) return place;
+  if (l.inside != nullptr) return std::nullopt;  // it may be local data of a frame not yet written
   return BitPlace{
       .address = b.locate(pointer, address, access),
       .bit = access.whole ? icode::kNoValue : b.make(Opcode::And, address, b.constant(7))};
@@ -170,7 +192,10 @@ Wanted lookout(const Lowering& l, Space space) {
   return wanted;
 }
 
-Value parameterPointer(Lowering& l) {
+std::optional<Value> parameterPointer(Lowering& l) {
+  const std::uint32_t index = l.operand().value;
+  if (l.inside != nullptr && index >= l.inside->list.size()) return std::nullopt;
+  if (l.inside != nullptr) return l.to.constant(l.inside->list[index]);
   l.needs.parameters = std::max(l.needs.parameters, l.operand().value + 1);
   return l.to.withNumber(Opcode::Parameter, icode::kNoValue, l.operand().value);
 }
@@ -182,7 +207,7 @@ std::optional<BitPlace> indirectPlace(Lowering& l, const Access& access) {
   const auto d = dynamic(l);
   if (!d) return std::nullopt;
   const Value address = l.to.make(Opcode::Add, d->low, l.to.constant(d->offset));
-  if (const auto place = known(l, d->space, address, access)) return place;
+  if (const auto place = known(l, l.operand().area, address, access)) return place;
   const bool constant = !access.whole || d->offset % 8 == 0;
   if (kind == OperandKind::MemoryIndirect)
     return access.whole ? aligned(l, *d, access, {}) : anywhere(l, *d, access);

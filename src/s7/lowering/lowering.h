@@ -26,6 +26,15 @@ struct Reach {
   std::uint32_t end;
 };
 
+// A called block whose instructions stand in the region of its caller.
+struct Inside {
+  // Where its local data and those of its caller begin, in bytes behind those of the region's
+  // block, and how many there are.
+  std::uint32_t local, localBytes, callerLocal, callerLocalBytes;
+  bool callerIsOb;  // of the region: the owner wants to see some of its local data
+  std::span<const std::uint32_t> list;  // behind the call
+};
+
 // The instruction that is being translated, and what a function may use for it.
 struct Lowering {
   icode::Builder& to;
@@ -36,12 +45,22 @@ struct Lowering {
   std::vector<std::array<icode::Value, 3>>& brackets;  // RLO, OR, /ER in front of each
   std::vector<Reach>& reached;                         // in this region
   std::map<std::uint32_t, BitPlace>& ahead;  // operands in brackets, guarded in front of them
+  const Inside* inside = nullptr;            // null: it is one of the region's block
   bool follows = false;    // a jump here leads back, and the region may go on there
   std::uint32_t next = 0;  // where it goes on
   bool ended = false;      // the way on leads elsewhere: nothing may follow in this region
 
-  const mc7::Instruction& instruction() const { return listing.places[place].instruction; }
+  // In place of the one that stands there: its operand is known from the call.
+  const mc7::Instruction* known = nullptr;
+
+  const mc7::Instruction& instruction() const {
+    return known != nullptr ? *known : listing.places[place].instruction;
+  }
   const mc7::Operand& operand() const { return instruction().operand; }
+  // A byte of the running block, as the region knows it.
+  std::uint32_t at(icode::Space space, std::uint32_t byte) const {
+    return inside != nullptr && space == icode::Space::Local ? inside->local + byte : byte;
+  }
 };
 
 // False: not translated; the builder has not been touched.
@@ -63,6 +82,7 @@ std::span<const Row> bcdRows();
 
 // Instructions of timers and counters that share their mnemonic with others.
 bool loadTimerOrCounter(Lowering& l);
+icode::Value timerStatus(Lowering& l);
 bool resetTimerOrCounter(Lowering& l);
 bool setCounter(Lowering& l);
 
@@ -77,7 +97,8 @@ std::optional<icode::Value> readOperand(Lowering& l, Width width);
 bool writeOperand(Lowering& l, Width width, icode::Value value);
 // Every other way to an operand than a direct one (indirect.cpp).
 std::optional<BitPlace> indirectPlace(Lowering& l, const icode::Access& access);
-icode::Value parameterPointer(Lowering& l);
+// Nothing: the list behind the call has no such entry.
+std::optional<icode::Value> parameterPointer(Lowering& l);
 std::optional<icode::Space> spaceOf(Area area);
 std::uint32_t imageLength(const CpuModel& model, icode::Space space);
 // How many bytes of the space the next instructions reach directly, and whether they write.
@@ -106,6 +127,9 @@ inline void storeByte(Lowering& l, const BitPlace& place, icode::Value byte) {
 icode::Value withBit(Lowering& l, const BitPlace& place, icode::Value byte, icode::Value bit);
 icode::Value bitIn(Lowering& l, const BitPlace& place, icode::Value byte);
 
+inline bool isOpening(mc7::Operation o) {
+  return o >= mc7::Operation::AND_OPEN && o <= mc7::Operation::XOR_NOT_OPEN;
+}
 // Whether U( at this place has its ) in the same region. Whatever between them can fail is guarded
 // now: inside brackets there is no way out.
 bool prepareBracket(Lowering& l, std::span<const std::uint8_t> isEntry);

@@ -47,6 +47,7 @@ bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
       atLeast(write ? l.needs.instanceWritten : l.needs.instanceRead);
       return true;
     case Space::Local:
+      if (l.inside != nullptr) return end <= l.inside->localBytes;
       atLeast(l.needs.local);
       return true;
     default:
@@ -57,6 +58,7 @@ bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
 }  // namespace
 
 Value limitOf(Lowering& l, Space space, bool write) {
+  if (l.inside != nullptr && space == Space::Local) return l.to.constant(l.inside->localBytes);
   return icode::isImage(space) ? l.to.constant(imageLength(l.model, space))
                                : l.to.limit(space, write);
 }
@@ -99,7 +101,7 @@ std::optional<Value> readOperand(Lowering& l, Width width) {
   if (isDirect(o, width)) {
     const Space space = *spaceOf(o.area);
     if (!reachable(l, space, o.value / 8 + bytes, false)) return std::nullopt;
-    return l.to.load(space, o.value / 8, bytes);
+    return l.to.load(space, l.at(space, o.value / 8), bytes);
   }
   const auto place = indirectPlace(l, {.bytes = bytes, .whole = true});
   return place ? std::optional(loadBytes(l, *place, bytes)) : std::nullopt;
@@ -112,7 +114,7 @@ bool writeOperand(Lowering& l, Width width, Value value) {
   if (isDirect(o, width)) {
     const Space space = *spaceOf(o.area);
     if (!reachable(l, space, o.value / 8 + bytes, true)) return false;
-    l.to.store(space, o.value / 8, bytes, value);
+    l.to.store(space, l.at(space, o.value / 8), bytes, value);
     return true;
   }
   const auto place = indirectPlace(l, {.bytes = bytes, .whole = true, .write = true});
@@ -126,7 +128,7 @@ std::optional<BitPlace> bitPlace(Lowering& l, bool write) {
   if (!isDirect(o, Width::Bit)) return indirectPlace(l, {.write = write});
   const Space space = *spaceOf(o.area);
   if (!reachable(l, space, o.value / 8 + 1, write)) return std::nullopt;
-  return BitPlace{.space = space, .place = o.value / 8, .direct = o.value & 7};
+  return BitPlace{.space = space, .place = l.at(space, o.value / 8), .direct = o.value & 7};
 }
 
 std::optional<Value> numberOperand(Lowering& l) {
@@ -137,12 +139,15 @@ std::optional<Value> numberOperand(Lowering& l) {
     case OperandKind::BlockIndirect: {
       const auto space = spaceOf(o.pointerArea);
       if (!space || !reachable(l, *space, o.value + 2, false)) return std::nullopt;
-      return l.to.load(*space, o.value, 2);
+      return l.to.load(*space, l.at(*space, o.value), 2);
     }
     case OperandKind::TimerParameter:
     case OperandKind::CounterParameter:
-    case OperandKind::BlockParameter:
-      return l.to.withNumber(Opcode::Shr, parameterPointer(l), 16);
+    case OperandKind::BlockParameter: {
+      const auto pointer = parameterPointer(l);
+      if (!pointer) return std::nullopt;
+      return l.to.withNumber(Opcode::Shr, *pointer, 16);
+    }
     default:
       return std::nullopt;
   }
@@ -165,13 +170,12 @@ void storeBytes(Lowering& l, const BitPlace& place, unsigned bytes, Value value)
 }
 
 Value withBit(Lowering& l, const BitPlace& place, Value byte, Value bit) {
-  return place.bit == icode::kNoValue ? l.to.make(Opcode::Insert, byte, bit, place.direct)
+  return place.bit == icode::kNoValue ? l.to.withBit(byte, bit, place.direct)
                                       : l.to.make3(Opcode::InsertAt, byte, bit, place.bit);
 }
 
 Value bitIn(Lowering& l, const BitPlace& place, Value byte) {
-  if (place.bit == icode::kNoValue && place.direct == 0) return byte;  // only bit 0 counts
-  return place.bit == icode::kNoValue ? l.to.withNumber(Opcode::BitOf, byte, place.direct)
+  return place.bit == icode::kNoValue ? l.to.bitOf(byte, place.direct)
                                       : l.to.make(Opcode::BitAt, byte, place.bit);
 }
 

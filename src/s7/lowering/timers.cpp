@@ -134,6 +134,21 @@ constexpr Row kTimersRows[] = {{Operation::TIMER_SI, start<Kind::Pulse>},
 
 std::span<const Row> timerRows() { return kTimersRows; }
 
+// S7-TMR: started and not yet over, the delays started and over; SS and SA also while held. Only
+// the first of these changes between one turn of a loop and the next.
+Value timerStatus(Lowering& l) {
+  icode::Builder& b = l.to;
+  const auto number = [&b](Kind kind) { return b.constant(static_cast<std::uint32_t>(kind)); };
+  static_assert(Kind::StoredOnDelay > Kind::OnDelay && Kind::OffDelay > Kind::StoredOnDelay);
+  const Value kind = read(l, Field::TimerKind);
+  const Value isDelay =
+      b.make(Opcode::Below, b.make(Opcode::Sub, kind, number(Kind::OnDelay)), b.constant(2));
+  const Value isStored = b.notBit(b.make(Opcode::Below, kind, number(Kind::StoredOnDelay)));
+  const Value over = b.xorBit(b.timerRuns(l.operand().value), isDelay);
+  return b.orBit(b.andBit(over, read(l, Field::TimerStarted)),
+                 b.andBit(isStored, read(l, Field::TimerHeld)));
+}
+
 bool loadTimerOrCounter(Lowering& l) { return load<false>(l); }
 
 // S7-TMR-06, S7-CNT-04: as long as RLO is 1.

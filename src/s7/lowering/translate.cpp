@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "lowering/callees.h"
+#include "lowering/copying.h"
 #include "lowering/lowering.h"
 
 namespace merker::translate {
@@ -15,6 +17,9 @@ using mc7::Operation;
 constexpr std::size_t kOperations = 256;
 // So many instructions of a block are translated once more because loops lead to them again.
 constexpr std::uint32_t kRepeated = 4096;
+// So many instructions of other blocks are translated with a block that calls them, and so many
+// for each of its own.
+constexpr std::uint32_t kCopied = 256, kCopiesOf = 8;
 
 using Table = std::array<Lower, kOperations>;
 
@@ -26,16 +31,20 @@ Table makeTable() {
   return table;
 }
 
-bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN; }
+const Table& table() {
+  static const Table rows = makeTable();
+  return rows;
+}
 
 class Blockwise {
  public:
-  Blockwise(const mc7::Listing& listing, const CpuModel& model, const std::vector<bool>& apart,
-            std::uint32_t longest)
+  Blockwise(const mc7::Listing& listing, const CpuModel& model, const Context& context)
       : listing_(listing),
         model_(model),
-        apart_(apart),
-        longest_(longest),
+        context_(context),
+        longest_(context.longest),
+        shapes_(context.find),
+        copied_(kCopied + kCopiesOf * static_cast<std::uint32_t>(listing.places.size())),
         isEntry_(listing.places.size() + 1),
         inLoop_(listing.places.size() + 1) {}
 
@@ -77,9 +86,11 @@ class Blockwise {
   bool repeats(const icode::Region& region, std::uint32_t at) {
     if (!inLoop_[region.first] || !inLoop_[at]) return false;
     const std::uint32_t room = std::min(spare_, longest_ - std::min(region.instructions, longest_));
-    std::uint32_t count = 1;
-    while (count <= room && isEntry_[at + count] == 0) ++count;
-    if (count > room) return false;
+    std::uint32_t count = 0;
+    do {
+      count += 1 + copiedBy(at);
+      if (count > room) return false;
+    } while (isEntry_[++at] == 0);
     spare_ -= count;
     return true;
   }
@@ -111,6 +122,7 @@ class Blockwise {
     std::vector<std::array<icode::Value, 3>> brackets{};
     std::vector<Reach> reached{};
     std::map<std::uint32_t, BitPlace> ahead{};
+    bool stopped = false;  // in front of this instruction, where another region begins
 
     void goTo(std::uint32_t next) {
       jumped = next <= at;
@@ -121,7 +133,7 @@ class Blockwise {
 
   bool canFollow(std::uint32_t at) const {
     return at < listing_.places.size() && listing_.places[at].known &&
-           !(at < apart_.size() && apart_[at]);
+           !(at < context_.apart.size() && context_.apart[at]);
   }
   bool mayFollow(const icode::Region& region, Walk& walk) {
     if (!canFollow(walk.at)) return false;
@@ -135,7 +147,7 @@ class Blockwise {
   // False: this instruction stays with the interpreter.
   bool lower(icode::Builder& builder, icode::Region& region, Walk& walk) {
     const Operation operation = listing_.places[walk.at].instruction.operation;
-    const Lower function = table()[static_cast<std::size_t>(operation)];
+    const Lower function = functionOf(operation);
     if (function == nullptr) return false;
     builder.begin(walk.at, model_.time(mc7::info(operation).time));
     Lowering lowering{builder, region.needs,  model_,       listing_,
@@ -153,6 +165,32 @@ class Blockwise {
     return true;
   }
 
+  // How many instructions of other blocks this one brings with it.
+  std::uint32_t copiedBy(std::uint32_t at) {
+    const Shape* const shape = shapes_.of(listing_.places[at]);
+    return shape != nullptr ? shape->size : 0;
+  }
+
+  bool step(icode::Builder& builder, icode::Region& region, Walk& walk) {
+    const Shape* const shape =
+        walk.brackets.empty() ? shapes_.of(listing_.places[walk.at]) : nullptr;
+    const std::uint32_t size = shape != nullptr ? 1 + shape->size : 0;
+    if (shape == nullptr || size > longest_ || size > copied_) return lower(builder, region, walk);
+    if (region.instructions + size > longest_) return false;  // it begins a region of its own
+    Copying copying(builder, region, walk.reached, {model_, shapes_});
+    const Copying::Caller caller{.listing = listing_,
+                                 .localBytes = context_.localBytes,
+                                 .isOb = context_.isOb,
+                                 .parameters = context_.parameters};
+    if (!copying.call(*shape, caller, walk.at)) return lower(builder, region, walk);
+    copied_ -= size;
+    // Behind the ways out of it nobody but a region that begins there comes back quickly.
+    walk.stopped =
+        shape->branches || listing_.places[walk.at].instruction.operation == Operation::CC;
+    walk.goTo(walk.at + 1);
+    return true;
+  }
+
   // Returns where the next region may begin.
   std::uint32_t region(std::uint32_t first) {
     icode::Region region;
@@ -160,7 +198,7 @@ class Blockwise {
     icode::Builder builder(region);
     knowFromBefore(builder, first);
     Walk walk{.at = first};
-    while (!walk.ended && mayFollow(region, walk) && lower(builder, region, walk)) {
+    while (!walk.ended && !walk.stopped && mayFollow(region, walk) && step(builder, region, walk)) {
     }
     const std::uint32_t next = walk.behind.value_or(walk.at);
     if (region.instructions == 0 || !walk.brackets.empty()) return std::max(next, first + 1);
@@ -169,15 +207,12 @@ class Blockwise {
     return next;
   }
 
-  static const Table& table() {
-    static const Table rows = makeTable();
-    return rows;
-  }
-
   const mc7::Listing& listing_;
   const CpuModel& model_;
-  const std::vector<bool>& apart_;
+  const Context& context_;
   const std::uint32_t longest_;
+  Shapes shapes_;
+  std::uint32_t copied_;  // so many instructions of called blocks may still be copied
   std::vector<std::uint8_t> isEntry_, inLoop_;
   std::uint32_t spare_ = kRepeated;
   std::vector<icode::Region> regions_;
@@ -185,9 +220,11 @@ class Blockwise {
 
 }  // namespace
 
+Lower functionOf(Operation operation) { return table()[static_cast<std::size_t>(operation)]; }
+
 std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model,
-                                     const std::vector<bool>& apart, std::uint32_t longest) {
-  return Blockwise(listing, model, apart, longest).run();
+                                     const Context& context) {
+  return Blockwise(listing, model, context).run();
 }
 
 }  // namespace merker::translate

@@ -17,18 +17,20 @@ using interpreter::Translated;
 
 class Native : public interpreter::Compiled {
  public:
-  Native(std::unique_ptr<jit::NativeCode> code, std::vector<bool> entries)
-      : code_(std::move(code)), entries_(std::move(entries)) {}
+  Native(std::unique_ptr<jit::NativeCode> code, std::vector<bool> entries, std::vector<Asked> asked)
+      : code_(std::move(code)), entries_(std::move(entries)), asked_(std::move(asked)) {}
   bool begins(std::size_t instruction) const override { return entries_[instruction]; }
   const Op* run(cpu::Machine& m, std::size_t instruction) const override {
     return static_cast<const Op*>(code_->run(&m, instruction));
   }
   const void* const* entries() const override { return code_->entries(); }
   std::size_t size() const { return code_->size(); }
+  const std::vector<Asked>& asked() const { return asked_; }
 
  private:
   std::unique_ptr<jit::NativeCode> code_;
   std::vector<bool> entries_;
+  std::vector<Asked> asked_;
 };
 
 std::vector<bool> entriesOf(std::span<const icode::Region> regions, std::size_t instructions,
@@ -57,25 +59,35 @@ MixedEngine::MixedEngine(const CpuModel& model, bool compiles, CompilerOptions o
 MixedEngine::~MixedEngine() = default;
 
 // Blocks with coverage count each instruction: they stay with the interpreter.
-void MixedEngine::compile(Translated& code) const {
+void MixedEngine::compile(Translated& code, BlockCopies& copies) const {
   if (!code.executed.empty()) return;
   const mc7::Listing listing = mc7::list(code.source->code);
   const jit::Instructions answers{code.ops.data(), sizeof(Op), code.parameters.data()};
   std::vector<icode::Region> regions;
   std::unique_ptr<jit::NativeCode> native;
+  std::vector<Asked> asked;
+  translate::Context context{.apart = checked(code),
+                             .isOb = code.source->id.kind == BlockKind::OB,
+                             .localBytes = code.localBytes,
+                             .parameters = code.parameters.data(),
+                             .find = [&](bool functionBlock, std::uint32_t number) {
+                               return copies.callee(functionBlock, number, asked);
+                             }};
   // Too many values at a time become fewer in shorter regions.
   for (std::uint32_t longest = translate::kLongestRegion; longest > 0 && native == nullptr;
        longest /= 4) {
-    regions = translate::translate(listing, model_, checked(code), longest);
-    if (regions.empty()) return;
+    context.longest = longest;
+    regions = translate::translate(listing, model_, context);
+    if (regions.empty()) break;
     for (icode::Region& region : regions) icode::optimise(region);
     native = jit::compile(regions, listing.places.size(), answers, layout_, options_.jit);
   }
-  if (native == nullptr) return;
+  if (native == nullptr) return setCompiled(code, nullptr);
   // Between checks regions are short; there agreement counts, not speed.
   const std::uint32_t shortest = code.side.empty() ? options_.shortestEntry : 1;
   auto entries = entriesOf(regions, code.instructionCount, shortest);
-  setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
+  setCompiled(code,
+              std::make_shared<Native>(std::move(native), std::move(entries), std::move(asked)));
 }
 
 void MixedEngine::supply(std::shared_ptr<Translations> made) {
@@ -85,9 +97,51 @@ void MixedEngine::supply(std::shared_ptr<Translations> made) {
 std::unique_ptr<cpu::Code> MixedEngine::translate(const block::Block& block) {
   if (supplied_ && supplied_->compiled() == compiles_)
     if (auto made = supplied_->take(block)) return made;
-  auto code = interpreter_.translate(block);
-  if (compiles_) compile(static_cast<Translated&>(*code));
-  return code;
+  auto made = interpreter_.translate(block);
+  auto& code = static_cast<Translated&>(*made);
+  code.identity = std::make_shared<const int>(0);
+  linked_ = false;
+  BlockCopies none([](bool, std::uint32_t) { return nullptr; });
+  if (compiles_ && !callsBlocks(code)) compile(code, none);
+  return made;
+}
+
+namespace {
+
+FindCode blocksOf(const cpu::Machine& m) {
+  return [&m](bool functionBlock, std::uint32_t number) {
+    return static_cast<const Translated*>(
+        cpu::find(functionBlock ? m.functionBlocks : m.functions, number));
+  };
+}
+
+// Compiled, and with copies of the blocks as they are now.
+bool isLinked(const Translated& code, const FindCode& find) {
+  if (code.compiled == nullptr) return !callsBlocks(code);
+  return isSame(static_cast<const Native&>(*code.compiled).asked(), find);
+}
+
+}  // namespace
+
+void MixedEngine::link(Translated& code, BlockCopies& copies) const {
+  if (compiles_ && !isLinked(code, copies.find())) compile(code, copies);
+}
+
+// Blocks that are not compiled yet all at once, as ever; of those that hold others as these were
+// before a download, one after the other: until then they call them.
+void MixedEngine::link(cpu::Cpu& cpu) {
+  linked_ = true;
+  BlockCopies copies(blocksOf(cpu.machine()));
+  unsigned again = 1;
+  for (const auto& one : cpu.loadMemory().code()) {
+    auto& code = static_cast<Translated&>(*one);
+    if (isLinked(code, copies.find())) continue;
+    if (code.compiled != nullptr && again-- == 0) {
+      linked_ = false;
+      return;
+    }
+    compile(code, copies);
+  }
 }
 
 namespace {
@@ -112,7 +166,9 @@ void exchange(Translated& code, Translated& made, cpu::Machine& m) {
   code.parameters.swap(made.parameters);
   code.uncompiled.swap(made.uncompiled);
   code.compiled.swap(made.compiled);
+  code.identity.swap(made.identity);
   std::swap(code.native, made.native);
+  std::swap(code.mark, made.mark);
   interpreter::setProbe(code, probe);
 }
 
@@ -129,8 +185,18 @@ void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
       station::exchange(code, *other, cpu.machine());
     else if (!compiles_)
       setCompiled(code, nullptr);
-    else if (code.compiled == nullptr)
-      compile(code);
+  }
+  compileTheRest(cpu);
+}
+
+// Those of the blocks that are there now.
+void MixedEngine::compileTheRest(cpu::Cpu& cpu) {
+  linked_ = !compiles_;
+  if (!compiles_) return;
+  BlockCopies copies(blocksOf(cpu.machine()));
+  for (const auto& one : cpu.loadMemory().code()) {
+    auto& code = static_cast<Translated&>(*one);
+    if (code.compiled == nullptr) compile(code, copies);
   }
 }
 
@@ -138,13 +204,9 @@ void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
   payback_.end();
   pays_ = false;
   compiles_ = on && canCompile();
-  for (const auto& code : cpu.loadMemory().code()) {
-    auto& translated = static_cast<Translated&>(*code);
-    if (!compiles_)
-      setCompiled(translated, nullptr);
-    else if (translated.compiled == nullptr)
-      compile(translated);
-  }
+  for (const auto& code : cpu.loadMemory().code())
+    if (!compiles_) setCompiled(static_cast<Translated&>(*code), nullptr);
+  compileTheRest(cpu);
 }
 
 std::uint64_t MixedEngine::price(const cpu::Cpu& cpu) const {
@@ -172,6 +234,7 @@ void MixedEngine::takeWhatPays(cpu::Cpu& cpu) {
 // The program goes on where it stands: between two instructions.
 void MixedEngine::run(cpu::Machine& m) {
   if (pays_) takeWhatPays(*m.cpu);
+  if (!linked_ && compiles_) link(*m.cpu);
   if (!payback_.waits()) return interpreter_.run(m);
   const std::uint64_t before = m.instructions;
   interpreter_.run(m);

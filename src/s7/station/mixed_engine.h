@@ -6,6 +6,7 @@
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
 #include "jit/native.h"
+#include "station/block_copies.h"
 #include "station/machine_layout.h"
 #include "station/translations.h"
 
@@ -47,7 +48,9 @@ class MixedEngine : public cpu::Engine {
   interpreter::Interpreter& interpreter() { return interpreter_; }
   const interpreter::Interpreter& interpreter() const { return interpreter_; }
 
+  // Compiled at once if it calls none; otherwise when the others are known, by `link` or `run`.
   std::unique_ptr<cpu::Code> translate(const block::Block& block) override;
+  void link(interpreter::Translated& code, BlockCopies& copies) const;
   void run(cpu::Machine& machine) override;
   std::uint32_t offset(const cpu::Frame& frame) const override {
     return interpreter_.offset(frame);
@@ -57,7 +60,9 @@ class MixedEngine : public cpu::Engine {
   bool watched() const override { return interpreter_.watched(); }
 
  private:
-  void compile(interpreter::Translated& code) const;
+  void compile(interpreter::Translated& code, BlockCopies& copies) const;
+  void compileTheRest(cpu::Cpu& cpu);
+  void link(cpu::Cpu& cpu);
   std::uint64_t price(const cpu::Cpu& cpu) const;
   void takeWhatPays(cpu::Cpu& cpu);
 
@@ -69,6 +74,7 @@ class MixedEngine : public cpu::Engine {
   std::shared_ptr<Translations> supplied_;
   Payback payback_;
   std::unique_ptr<TranslationThread> elsewhere_;  // null: compiles here
+  bool linked_ = true;                            // no block is new since they were compiled
   bool pays_ = false;                             // it was waited for, and not yet taken
 };
 

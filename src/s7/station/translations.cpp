@@ -30,6 +30,17 @@ Translations::Translations(const CpuModel& model, Engine engine,
     if (isCode(id.kind) && block.checks.empty() && !isIn(before, block))
       blocks_.emplace(id, mixed.translate(block));
   }
+  BlockCopies copies([this](bool functionBlock, std::uint32_t number) {
+    const auto found = blocks_.find(
+        {functionBlock ? BlockKind::FB : BlockKind::FC, static_cast<std::uint16_t>(number)});
+    return found == blocks_.end()
+               ? nullptr
+               : static_cast<const interpreter::Translated*>(found->second.get());
+  });
+  for (const auto& [id, code] : blocks_) {
+    if (stop.stop_requested()) return;
+    mixed.link(static_cast<interpreter::Translated&>(*code), copies);
+  }
 }
 
 cpu::Code* Translations::find(const block::Block& block) const {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "lowering/translate.h"
@@ -49,6 +50,48 @@ TEST(Region, AByteIsLoadedOnceAndWrittenOnce) {
   EXPECT_EQ(count(regions[0], Opcode::Load8), 2u);
   EXPECT_EQ(count(regions[0], Opcode::Store8), 0u);
   EXPECT_EQ(regions[0].exits.back().bytes, 1u);
+}
+
+TEST(Region, ABitIsAssignedOnceAsLongAsItIsTheSame) {
+  const Operand x = bit(Area::Input, 4, 0), y = bit(Area::Input, 4, 1);
+  const Operand to = bit(Area::Output, 4, 0), other = bit(Area::Output, 4, 1);
+  const auto assigned = [](const Operand& from, const Operand& place) {
+    return std::vector<mc7::Instruction>{{Operation::AND, from}, {Operation::ASSIGN, place}};
+  };
+  std::vector<mc7::Instruction> code{{Operation::SET, {}}};
+  const auto add = [&](const Operand& from, const Operand& place) {
+    std::ranges::copy(assigned(from, place), std::back_inserter(code));
+  };
+  add(x, to), add(y, other), add(x, to);
+  EXPECT_EQ(count(regionsOf(code)[0], Opcode::Insert), 2u);
+  add(y, to);
+  EXPECT_EQ(count(regionsOf(code)[0], Opcode::Insert), 3u);
+}
+
+// S7-INSTR-48: the same block again, as between one call of an FB and the next.
+TEST(Region, ABlockIsOpenedOnce) {
+  const auto open = [](std::uint32_t number, bool instance) {
+    return mc7::Instruction{Operation::OPEN, mc7::blockOperand(BlockKind::DB, number, instance)};
+  };
+  const mc7::Instruction swap{Operation::SWAP_DB, {}};
+  const auto opens = [](const std::vector<mc7::Instruction>& code) {
+    return count(regionsOf(code)[0], Opcode::Open);
+  };
+  EXPECT_EQ(opens({open(1, true), swap, swap, open(1, true), kEnd}), 1u);
+  EXPECT_EQ(opens({open(1, true), swap, open(1, false), kEnd}), 1u);
+  EXPECT_EQ(opens({open(1, true), open(1, false), kEnd}), 2u);
+  EXPECT_EQ(opens({open(1, true), open(2, true), open(1, true), kEnd}), 3u);
+}
+
+// What stands in an accumulator only for whoever looks at the CPU is put together for him.
+TEST(Region, AWordInTheAccumulatorIsLeftToTheExits) {
+  const auto regions = regionsOf({{Operation::LOAD, word(10)},
+                                  {Operation::LOAD, word(12)},
+                                  kAddInt,
+                                  {Operation::TRANSFER, word(14)},
+                                  kEnd});
+  const auto late = [](const icode::Op& op) { return op.code == Opcode::Zext16 && op.late; };
+  EXPECT_EQ(std::ranges::count_if(regions[0].ops, late), 1);
 }
 
 TEST(Region, FirstChecksAreKnown) {
