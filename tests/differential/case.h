@@ -44,5 +44,7 @@ std::optional<Case> edgeCase(std::size_t row, std::uint32_t distance, bool known
 Case timerCase(std::uint32_t seed);
 // Accesses through an address register about the ends of two data blocks that are exchanged.
 Case swapCase(std::uint32_t seed);
+// A block that calls another one, and itself, until the nesting depth ends.
+Case nestingCase();
 
 }  // namespace merker::differential

@@ -96,6 +96,8 @@ TEST_F(Differential, ExchangedBlocksHaveEachOthersLengths) {
     ASSERT_EQ(difference(swapCase(seed)), "") << "seed " << seed << '\n' << listing(swapCase(seed));
 }
 
+TEST_F(Differential, BlocksNestToTheSameDepth) { ASSERT_EQ(difference(nestingCase()), ""); }
+
 // In parts, for those who share the work (GTEST_TOTAL_SHARDS).
 class DifferentialPart : public Differential, public testing::WithParamInterface<std::uint32_t> {};
 

@@ -108,6 +108,25 @@ Case timerCase(std::uint32_t seed) {
   return c;
 }
 
+Case nestingCase() {
+  const auto call = [](std::uint32_t function, Code& code) {
+    append(Operation::UC, mc7::blockOperand(BlockKind::FC, function), code);
+  };
+  Case c;
+  c.seed = 1;
+  Code& leaf = c.blocks[{BlockKind::FC, 1}];
+  append(Operation::LOAD, flag(Width::Word, 22), leaf);
+  append(Operation::INC, {.kind = OperandKind::ShiftCount, .value = 1}, leaf);
+  append(Operation::TRANSFER, flag(Width::Word, 22), leaf);
+  Code& itself = c.blocks[{BlockKind::FC, 4}];
+  call(1, itself);
+  call(4, itself);
+  call(4, c.blocks[{BlockKind::OB, 1}]);
+  for (auto& [id, code] : c.blocks) code.insert(code.end(), {0x65, 0x00});  // BE
+  addInterrupts(c);
+  return c;
+}
+
 // Behind SWAP the blocks have each other's lengths (fill of run.cpp: 40 and 64 bytes).
 Case swapCase(std::uint32_t seed) {
   constexpr std::uint32_t kAccesses = 12;

@@ -34,6 +34,7 @@ std::vector<Opcode> emitters() {
 }
 
 [[noreturn]] void search(Opcode broken) {
+  if (!difference(nestingCase(), broken).empty()) _exit(kFound);  // comes by chance too seldom
   for (std::uint32_t seed = 1; seed <= kPrograms; ++seed)
     if (!difference(randomCase(seed), broken).empty()) _exit(kFound);
   _exit(kNothingFound);

@@ -126,5 +126,35 @@ TEST_F(Copies, AFaultFindsTheFrames) {
   expectSame();
 }
 
+// The call that is one too deep is the copied one: FC 10 is the eighth block, FC 11 would be the
+// ninth.
+TEST_F(Copies, NestNoDeeperThanCalls) {
+  begin();
+  download(
+      "FUNCTION FC 11 : VOID\nBEGIN\nNETWORK\n L MW 22; + 1; T MW 22;\nEND_FUNCTION\n"
+      "FUNCTION FC 10 : VOID\nBEGIN\nNETWORK\n L MW 20; + 1; T MW 20; CALL FC 11; CALL FC "
+      "10;\nEND_FUNCTION\n" +
+      ob(1, "CALL FC 10;"));
+  EXPECT_EQ(compiled_->mode(), Mode::Stop);  // 16#4575
+  EXPECT_EQ(compiled_.read("MW 22"), reference_.read("MW 22"));
+  expectSame();
+}
+
+// 510 bytes for each priority class: below FC 9 and FC 10 there are too few for FC 11 (16#4576).
+TEST_F(Copies, TakeNoMoreLocalDataThanCalls) {
+  begin();
+  download(
+      "FUNCTION FC 11 : VOID\nVAR_TEMP a : ARRAY [1..90] OF BYTE; END_VAR\nBEGIN\nNETWORK\n"
+      " L MW 22; + 1; T MW 22;\nEND_FUNCTION\n"
+      "FUNCTION FC 10 : VOID\nVAR_TEMP a : ARRAY [1..200] OF BYTE; END_VAR\nBEGIN\nNETWORK\n"
+      " L MW 20; + 1; T MW 20; CALL FC 11;\nEND_FUNCTION\n"
+      "FUNCTION FC 9 : VOID\nVAR_TEMP a : ARRAY [1..220] OF BYTE; END_VAR\nBEGIN\nNETWORK\n"
+      " CALL FC 10;\nEND_FUNCTION\n" +
+      ob(1, "CALL FC 10; CALL FC 9;"));
+  EXPECT_EQ(compiled_->mode(), Mode::Stop);
+  EXPECT_EQ(compiled_.read("MW 22"), reference_.read("MW 22"));
+  expectSame();
+}
+
 }  // namespace
 }  // namespace merker::station::test
