@@ -152,6 +152,24 @@ class Projects(Served):
         self.assertEqual(browser.problems("projects.open", folder="none"), ["P0101"])
 
 
+class Relative(Served):
+    command = "workbench"
+    arguments = ("--workspace", "work/x")
+
+    def target(self):
+        return []
+
+    def test_what_is_made_in_a_relative_workspace_is_opened_by_its_path(self):
+        """A SINUMERIK takes no single blocks: loading opens the project again."""
+        browser = self.browser()
+        for model in ("SINUMERIK 810 GA3", "313C"):
+            browser.call("projects.new", name=model, model=model)
+            browser.until(lambda b: (b.state.get("project") or {}).get("name") == model)
+            folder = browser.state["project"]["folder"]
+            browser.call("projects.open", folder=folder)
+            self.assertEqual(folder, str((self.folder / "work" / "x" / model).resolve()))
+
+
 class Given(Served):
     command = "workbench"
 

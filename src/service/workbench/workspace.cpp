@@ -176,11 +176,20 @@ Files sinumerikFiles(const NewProject& wanted) {
           {"symbols.seq", ""}};
 }
 
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  const fs::path found = path.empty() ? fs::path() : fs::absolute(path, error).lexically_normal();
+  return error ? path : found.string();
+}
+
 Problem notMade(const std::string& path, const std::error_code& error) {
   return makeProblem(ProblemCode::P1313, nowhere(), path, error.message());
 }
 
 }  // namespace
+
+Workspace::Workspace(const std::string& folder, std::string examples, std::string given)
+    : folder_(absolute(folder)), examples_(std::move(examples)), given_(std::move(given)) {}
 
 std::vector<Example> Workspace::examples() const {
   std::vector<Example> list;

@@ -31,9 +31,9 @@ struct NewProject {
 class Workspace {
  public:
   Workspace() = default;
-  // `given`: the project of the command line, which may lie anywhere.
-  Workspace(std::string folder, std::string examples, std::string given)
-      : folder_(std::move(folder)), examples_(std::move(examples)), given_(std::move(given)) {}
+  // `given`: the project of the command line, which may lie anywhere. The folder may be relative:
+  // what is made in it has an absolute path, which opens it again.
+  Workspace(const std::string& folder, std::string examples, std::string given);
 
   const std::string& folder() const { return folder_; }
   const std::string& given() const { return given_; }
