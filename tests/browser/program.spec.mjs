@@ -195,12 +195,16 @@ test('save and load pressed at once save once, and nobody else is suspected', as
 });
 
 test('compare shows what differs between project and CPU, side by side (S7-MGR-15)', async () => {
-  await replaceAll(page, saved().replace('SA    #FilterTime', 'SE    #FilterTime'));
+  await replaceAll(page, saved().replace('      SA    #FilterTime', '      NOP   0;\n      NOP   0;\n      SE    #FilterTime'));
   await page.keyboard.press('Control+s');
   await until(async () => (await block('FB 1').innerText()).includes('≠'), 'the mark of a difference');
   await block('FB 1').click();
   await page.getByRole('toolbar', { name: 'FB 1' }).getByRole('button', { name: 'Vergleich' }).click();
   await page.locator('#program-panel .cm-changedLine').first().waitFor();
+  // Sources: what is inserted makes no difference of what follows.
+  await expect(() => page.locator('#program-panel [role=status]').innerText(), 'Unterschied 1 von 1');
+  const shown = () => page.locator('#program-panel .texts').evaluate((one) => one.shadowRoot.textContent);
+  await until(async () => /#FilterTime/.test(await shown()), 'the source');
   await picture(page, 'program-compare');
 });
 

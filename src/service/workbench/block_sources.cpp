@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "base/text.h"
+#include "mc5/block_id.h"
+#include "step5/block_source.h"
 
 namespace merker::workbench {
 namespace {
@@ -75,6 +77,19 @@ std::map<BlockId, BlockSource> blockSources(const std::vector<source::SourceFile
       open = nullptr;
     }
   }
+  return found;
+}
+
+std::map<BlockId, BlockSource> listingSources(const std::vector<source::SourceFile>& listings) {
+  std::map<BlockId, BlockSource> found;
+  Problems ignored;  // program.check tells them
+  for (const source::SourceFile& file : listings)
+    for (const step5::BlockSource& one : step5::findBlocks(file, ignored)) {
+      const std::uint32_t head = file.position(one.offset, one.length).line;
+      BlockSource block{file.name(), head, std::string(file.line(head)).append("\n")};
+      for (const step5::Line& line : one.lines) block.text.append(line.text).append("\n");
+      found.emplace(mc5::neutralId(one.id), std::move(block));
+    }
   return found;
 }
 

@@ -19,5 +19,7 @@ struct BlockSource {
 
 std::map<BlockId, BlockSource> blockSources(const std::vector<source::SourceFile>& sources,
                                             const source::SymbolTable& symbols);
+// The same of STEP 5 listings: from the head to the next one.
+std::map<BlockId, BlockSource> listingSources(const std::vector<source::SourceFile>& listings);
 
 }  // namespace merker::workbench

@@ -9,9 +9,11 @@ namespace merker::workbench {
 namespace {
 
 // `source` is empty for a block that has none of its own.
-Json blockTexts(const monitor::ProgramCode& code, const project::Project& project,
+Json blockTexts(const monitor::ProgramCode& code, const compilation::Build& build,
                 Mnemonics mnemonics) {
-  const auto sources = blockSources(project.sources, project.symbols);
+  const project::Project& project = build.project;
+  const auto sources = build.isListing() ? listingSources(project.sources)
+                                         : blockSources(project.sources, project.symbols);
   Json rows = Json::array();
   for (const monitor::BlockCode& block : code.blocks()) {
     const auto source = sources.find(block.id());
@@ -48,7 +50,7 @@ Json lookOf(const compilation::Build& build, const block::Program* program, Mnem
                                     : program != nullptr ? monitor::ProgramCode(*program)
                                                          : monitor::ProgramCode(*build.program);
   return {{"name", project.name},
-          {"blocks", blockTexts(code, project, mnemonics)},
+          {"blocks", blockTexts(code, build, mnemonics)},
           {"symbols", symbolTexts(project.symbols)},
           {"racks", racksOf(project)}};
 }

@@ -40,6 +40,22 @@ test('sources are shown where they tell the difference, else the code', () => {
   expect(textsOf(pair(block('FC 1', 'a', 'A')), false)).toEqual({ left: 'A', right: '', code: false });
 });
 
+test('without a source, statement stands beside statement: what is inserted moves no other', () => {
+  const short = '0000: 52000000      U     E 0.0\n0004: 65000000      BE\n';
+  const long = '0000: 52000000      U     E 0.0\n0004: 0000          NOP   0\n0006: 65000000      BE\n';
+  const [pair] = compareBlocks(look({ blocks: [block('FC 1', short)] }), look({ blocks: [block('FC 1', long)] }));
+  expect(textsOf(pair!, false)).toEqual({
+    left: 'U     E 0.0\nBE\n',
+    right: 'U     E 0.0\nNOP   0\nBE\n',
+    code: true,
+  });
+  expect(textsOf(pair!, true).left).toBe(short);
+  // STEP 5: words, and lines that have none.
+  const listing = `0000: 2010             A    DB 16\n${' '.repeat(23)}NAME : X\n0001: 0000 1111 2222 3333  L    KH FACE\n`;
+  const [step5] = compareBlocks(look({ blocks: [block('PB 1', listing)] }), look({ blocks: [] }));
+  expect(textsOf({ ...step5!, left: block('PB 1', listing) }, false).left).toBe('A    DB 16\nNAME : X\nL    KH FACE\n');
+});
+
 test('symbols by name, modules by place', () => {
   const symbol = (name: string, operand: string, comment = '') => ({ symbol: name, operand, type: 'BOOL', comment });
   const rows = compareSymbols(

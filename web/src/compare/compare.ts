@@ -80,12 +80,15 @@ export function compareModules(left: Look, right: Look): RowPair[] {
   );
 }
 
+/** A listing of machine code without its addresses and words, which the first difference moves or changes from there on. */
+const statements = (code: string): string => code.replace(/^(?:[0-9A-F]{4}: (?:[0-9A-F]+ ?)+ +| {23})/gm, '');
+
 /** The two texts of a block that show its difference: the sources, unless only the code is known or differs. */
 export function textsOf(pair: BlockPair, code: boolean): { left: string; right: string; code: boolean } {
   const { left, right } = pair;
   const sources = (left ? left.source !== '' : true) && (right ? right.source !== '' : true);
   const differ = !left || !right || pair.state === 'same' || plain(left.source) !== plain(right.source);
   const ofCode = code || !sources || !differ;
-  const text = (one?: BlockText) => (one ? (ofCode ? one.code : one.source) : '');
+  const text = (one?: BlockText) => (one ? (code ? one.code : ofCode ? statements(one.code) : one.source) : '');
   return { left: text(left), right: text(right), code: ofCode };
 }

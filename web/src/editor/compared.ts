@@ -1,4 +1,5 @@
 // Two texts beside each other.
+import { compareBlocks, textsOf } from '../compare/compare';
 import { connection } from '../connection';
 import { translator } from '../i18n';
 import { program } from '../i18n/texts/program';
@@ -18,14 +19,16 @@ export interface Pair {
 }
 const t = translator(program);
 
-/** Our text of the block and the one the CPU has, both printed by the same hand. */
+/** The block of the project and that of the CPU: their sources, or their statements where one has no source. */
 export async function compared(id: string, mnemonics: Mnemonics): Promise<Pair> {
-  const listing = async (of: Side) =>
-    (await attempt(connection.ask('program.listing', { block: id, side: of, mnemonics })))?.text ?? '';
+  const look = (side: Side) => attempt(connection.ask('projects.look', { side, mnemonics }));
+  const [offline, online] = [await look('offline'), await look('online')];
+  const pair = offline && online && compareBlocks(offline, online).find((one) => one.id === id);
+  const texts = pair ? textsOf(pair, false) : { left: '', right: '' };
   return {
     block: id,
-    left: { title: `${t('compareProject')}: ${id}`, text: await listing('offline') },
-    right: { title: `${t('compareCpu')}: ${id}`, text: await listing('online') },
+    left: { title: `${t('compareProject')}: ${id}`, text: texts.left },
+    right: { title: `${t('compareCpu')}: ${id}`, text: texts.right },
   };
 }
 
