@@ -41,6 +41,39 @@ test('a changed listing is loaded: the PLC begins again with it', async () => {
   await page.locator('[data-mode="RUN"]').waitFor();
 });
 
+const block = (id) => page.getByRole('treeitem').filter({ hasText: new RegExp(`${id}\\b`) }).first();
+
+test('a new block, and what differs between project and PLC: in the tree and source beside source', async () => {
+  await visit(page, server, 'program');
+  await until(async () => (await block('PB 1').innerText()).includes('='), 'nothing differs');
+  for (const id of ['PB 7', 'FB 99', 'DB 99']) {
+    await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+    await page.getByLabel('Baustein, z. B. PB 1').fill(id);
+    await page.getByRole('dialog').getByRole('button', { name: 'Anlegen' }).click();
+    await until(async () => (await block(id).innerText()).includes('◐'), `${id} only in the project`);
+  }
+  await expect(() => problems(page).count(), 0);
+  await visit(page, server, 'program?file=main.s5');
+  await until(async () => (await content(page).innerText()).includes('OB 1'), 'the listing');
+  const before = await text(page);
+  await replaceAll(page, before.replace(' : U    E 1.0\n', ' : U    E 1.0\n : NOP 0\n'));
+  await page.keyboard.press('Control+s');
+  await until(async () => (await block('PB 1').innerText()).includes('≠'), 'the mark of a difference');
+  await block('PB 1').click();
+  await page.getByRole('toolbar', { name: 'PB 1' }).getByRole('button', { name: 'Vergleich' }).click();
+  const status = () => page.locator('.comparison [role=status]').innerText();
+  const shown = () => page.locator('.comparison .texts').evaluate((one) => one.shadowRoot.textContent);
+  await expect(status, 'Unterschied 1 von 1');
+  assert.match(await shown(), /NETZWERK 2 {2}a rising edge/);
+  await visit(page, server, 'compare?block=PB 1');
+  await page.getByRole('switch', { name: 'Maschinencode' }).waitFor();
+  await expect(status, 'Unterschied 1 von 1');
+  assert.match(await shown(), /NETZWERK 2 {2}a rising edge/);
+  await visit(page, server, 'program');
+  await page.getByRole('button', { name: 'Laden', exact: true }).click();
+  await until(async () => (await block('PB 7').innerText()).includes('='), 'all loaded');
+});
+
 test('the listing is there to read', async () => {
   await visit(page, server, 'program');
   await page.locator('.files .path', { hasText: '.s5' }).first().click();

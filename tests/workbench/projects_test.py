@@ -170,6 +170,38 @@ class Relative(Served):
             self.assertEqual(folder, str((self.folder / "work" / "x" / model).resolve()))
 
 
+LISTING = "OB 1\nNETZWERK 1\n : U    E 0.0\n : =    A 0.0\n : BE\n"
+DATA = "DB 10\n   0 : KF = +1\n"
+
+
+class Listing(Served):
+    command = "workbench"
+
+    def prepare(self):
+        self.project.mkdir()
+        (self.project / "merker.toml").write_text(
+            '[project]\nname = "Plant"\n\n[cpu]\nmodel = "SINUMERIK 810 GA3"\n', encoding="utf-8")
+        (self.project / "main.s5").write_text(LISTING + DATA, encoding="utf-8")
+
+    def states(self, browser):
+        return {row["id"]: (row["state"], row["where"]) for row in browser.call("program.compare")["blocks"]}
+
+    def test_blocks_of_project_and_plc_are_compared_with_their_sources(self):
+        browser = self.browser()
+        browser.until(lambda b: b.state.get("mode") == "RUN")
+        self.assertEqual(self.states(browser), {"OB 1": ("same", ""), "DB 10": ("same", "")})
+        read = browser.call("files.read", path="main.s5")
+        changed = LISTING.replace(" : =", " : UN   E 0.1\n : =") + DATA.replace("+1", "+2") + "PB 7\n : BE\n"
+        browser.call("files.write", path="main.s5", text=changed, revision=read["revision"])
+        self.assertEqual(self.states(browser), {"OB 1": ("different", "code from word 1"), "DB 10": ("different", "values"),
+                                                "PB 7": ("onlyOffline", "")})
+        sources = [{block["id"]: block["source"] for block in browser.call("projects.look", side=side)["blocks"]}
+                   for side in ("online", "offline")]
+        self.assertEqual(sources[0], {"OB 1": LISTING, "DB 10": DATA})
+        self.assertEqual(sources[1]["OB 1"], LISTING.replace(" : =", " : UN   E 0.1\n : ="))
+        self.assertEqual(sources[1]["PB 7"], "PB 7\n : BE\n")
+
+
 class Given(Served):
     command = "workbench"
 

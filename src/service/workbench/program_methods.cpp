@@ -182,6 +182,8 @@ Answer blocks(const Call& call) {
 
 Answer compare(const Call& call) {
   return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside&) -> Answer {
+    if (both.build->isListing())
+      return Json{{"blocks", comparison(both.offline->build->listings, both.build->listings)}};
     return Json{{"blocks", comparison(both.program(false), both.program(true))}};
   });
 }
@@ -337,7 +339,7 @@ constexpr Method kMethods[] = {
     {"program.check", Needs::Plc, check, Kind::Compiles},
     {"program.load", Needs::ableOn(Feature::Download), load, Kind::Compiled},
     {"program.blocks", Needs::able(Feature::Blocks), blocks, Kind::Compiled},
-    {"program.compare", Needs::able(Feature::Download), compare, Kind::Compiled},
+    {"program.compare", Needs::able(Feature::Blocks), compare, Kind::Compiled},
     {"program.upload", Needs::able(Feature::Download), upload, Kind::Compiled},
     {"program.delete", Needs::ableOn(Feature::Download), remove},
     {"program.listing", Needs::able(Feature::Blocks), showListing, Kind::Compiled},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "block/container.h"
 #include "mc5/block_id.h"
@@ -65,6 +66,21 @@ std::string difference(const block::Block& a, const block::Block& b) {
   if (a.localBytes != b.localBytes) return "local data";
   if (a.actualData != b.actualData || a.initialData != b.initialData) return "values";
   return block::writeContainer(a) == block::writeContainer(b) ? "" : "interface or properties";
+}
+
+bool sameParameter(const mc5::Parameter& a, const mc5::Parameter& b) {
+  return std::tie(a.name, a.kind, a.width, a.format) == std::tie(b.name, b.kind, b.width, b.format);
+}
+
+std::string difference(const mc5::Block& a, const mc5::Block& b) {
+  if (a.words != b.words) {
+    if (a.id.type == mc5::BlockType::Db) return "values";
+    const auto at = std::ranges::mismatch(a.words, b.words);
+    return fmt::format("code from word {}", at.in1 - a.words.begin());
+  }
+  const bool same =
+      a.name == b.name && std::ranges::equal(a.parameters, b.parameters, sameParameter);
+  return same ? "" : "interface or properties";
 }
 
 std::string dataText(const block::Block& block) {
@@ -168,13 +184,20 @@ Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockS
   return list;
 }
 
-Json comparison(const block::Program& offline, const block::Program& online) {
+namespace {
+
+std::string textOf(BlockId id) { return toString(id); }
+std::string textOf(mc5::BlockId id) { return toString(mc5::neutralId(id)); }
+
+// Of either family: a block stands under its id.
+template <class Program>
+Json compared(const Program& offline, const Program& online) {
   Json list = Json::array();
   for (const auto& [id, block] : offline) {
     const auto other = online.find(id);
     const bool there = other != online.end();
     const std::string where = there ? difference(block, other->second) : "";
-    list.push_back({{"id", toString(id)},
+    list.push_back({{"id", textOf(id)},
                     {"state", !there          ? "onlyOffline"
                               : where.empty() ? "same"
                                               : "different"},
@@ -182,8 +205,18 @@ Json comparison(const block::Program& offline, const block::Program& online) {
   }
   for (const auto& [id, block] : online)
     if (!offline.contains(id))
-      list.push_back({{"id", toString(id)}, {"state", "onlyOnline"}, {"where", ""}});
+      list.push_back({{"id", textOf(id)}, {"state", "onlyOnline"}, {"where", ""}});
   return list;
+}
+
+}  // namespace
+
+Json comparison(const block::Program& offline, const block::Program& online) {
+  return compared(offline, online);
+}
+
+Json comparison(const mc5::Program& offline, const mc5::Program& online) {
+  return compared(offline, online);
 }
 
 Json referenceRows(const std::vector<monitor::CrossReference>& list, const ProjectFolder& folder) {

@@ -17,6 +17,7 @@ Json blockRows(const block::Program& program, const std::map<BlockId, BlockSourc
 Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                    const ProjectFolder& folder);
 Json comparison(const block::Program& offline, const block::Program& online);
+Json comparison(const mc5::Program& offline, const mc5::Program& online);
 Json referenceRows(const std::vector<monitor::CrossReference>& list, const ProjectFolder& folder);
 // What an editor can complete: symbols, blocks, instructions.
 Json completion(const compilation::Build& build);

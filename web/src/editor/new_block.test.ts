@@ -1,6 +1,16 @@
 import { expect, test } from 'vitest';
 import type { BlockNumbers } from './catalogue';
-import { blockId, blockText, fileOf, otherNumbers, typeName, calledInstance } from './new_block';
+import {
+  blockId,
+  blockText,
+  calledInstance,
+  fileOf,
+  listingText,
+  otherNumbers,
+  otherStep5Numbers,
+  typeName,
+} from './new_block';
+import { listingOutline } from './listing_outline';
 import { outline } from './outline';
 
 test.each([
@@ -56,4 +66,18 @@ test('a data block that a CALL names is the instance of what is called', () => {
   expect(calledInstance('DB 200', texts)).toBe('FB 1');
   expect(calledInstance('DB 2', texts)).toBe('');
   expect(calledInstance('FB 20', texts)).toBe('');
+});
+
+test('STEP 5 has blocks of its own, in a listing', () => {
+  expect(['pb 7', 'SB1', 'fc 1', 'UDT 1', 'vat 1'].map((text) => blockId(text, 'S5'))).toEqual([
+    'PB 7',
+    'SB 1',
+    null,
+    null,
+    'VAT 1',
+  ]);
+  expect([fileOf('PB 7', 'S5'), fileOf('VAT 1', 'S5')]).toEqual(['pb7.s5', 'vat1.vat']);
+  expect(['OB 64', 'PB 255', 'DB 0'].map(otherStep5Numbers)).toEqual(['0 … 63', null, '1 … 255']);
+  for (const id of ['OB 2', 'PB 7', 'SB 1', 'FB 9', 'DB 10'])
+    expect(listingOutline(listingText(id)).map((block) => block.name)).toEqual([id]);
 });

@@ -9,26 +9,49 @@ const keywords: Record<string, string> = {
   UDT: 'TYPE',
 };
 
+export type Family = 'S7' | 'S5';
+
+const kinds: Record<Family, readonly string[]> = {
+  S7: ['OB', 'FB', 'FC', 'DB', 'UDT', 'VAT'],
+  S5: ['OB', 'PB', 'SB', 'FB', 'DB', 'VAT'],
+};
+
 /** "fc1" becomes "FC 1"; null if it is no block that can be written. */
-export function blockId(text: string): string | null {
-  const [, kind, number] = /^\s*(OB|FB|FC|DB|UDT|VAT)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
-  return kind ? `${kind.toUpperCase()} ${Number(number)}` : null;
+export function blockId(text: string, family: Family = 'S7'): string | null {
+  const [, kind = '', number] = /^\s*([A-Z]+)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+  return kinds[family].includes(kind.toUpperCase()) ? `${kind.toUpperCase()} ${Number(number)}` : null;
 }
 
 export const isTable = (id: string): boolean => id.startsWith('VAT');
-export const fileOf = (id: string): string => `${id.replace(' ', '').toLowerCase()}.${isTable(id) ? 'vat' : 'awl'}`;
+export const fileOf = (id: string, family: Family = 'S7'): string =>
+  `${id.replace(' ', '').toLowerCase()}.${isTable(id) ? 'vat' : family === 'S5' ? 's5' : 'awl'}`;
 
 /** Types and tables of variables do not go into the CPU: any number a source can write. */
 const KEPT: [number, number] = [0, 65535];
+/** Of STEP 5, whatever the machine (S5-BLK-03, S5-BLK-04). */
+const step5Numbers: Record<string, [number, number]> = {
+  OB: [0, 63],
+  PB: [0, 255],
+  SB: [0, 255],
+  FB: [0, 255],
+  DB: [1, 255],
+};
 
 /** Which numbers there are, if this is not one of them: "0 … 2047", "1, 10, 35". */
 export function otherNumbers(id: string, of: BlockNumbers | null): string | null {
   const [, kind, number] = /^(OB|FB|FC|DB|UDT|VAT) (\d+)$/.exec(id) ?? [];
   if (!of || !kind) return null;
   if (kind === 'OB') return of.OB.includes(Number(number)) ? null : of.OB.join(', ');
-  const [first, last] = of[kind as 'FB' | 'FC' | 'DB'] ?? KEPT;
-  return Number(number) >= first && Number(number) <= last ? null : `${first} … ${last}`;
+  return outside(Number(number), of[kind as 'FB' | 'FC' | 'DB'] ?? KEPT);
 }
+
+export function otherStep5Numbers(id: string): string | null {
+  const [kind = '', number] = id.split(' ');
+  return outside(Number(number), step5Numbers[kind] ?? KEPT);
+}
+
+const outside = (number: number, [first, last]: readonly [number, number]): string | null =>
+  number >= first && number <= last ? null : `${first} … ${last}`;
 
 /** What a data block can be made of: "fb1", "UDT 2", a symbol in quotation marks; null if it is nothing like it. */
 export function typeName(text: string): string | null {
@@ -60,6 +83,13 @@ TITLE =
 
 ${end}
 `;
+
+/** A block of a listing (docs/formats/listing.md). */
+export function listingText(id: string): string {
+  const [kind, number] = id.split(' ');
+  if (kind === 'DB') return `${id}\n   0 : KH = 0000\n`;
+  return kind === 'FB' ? `${id}\nNAME : FB${number}\n : BE\n` : `${id}\nNETZWERK 1\n : BE\n`;
+}
 
 export function blockText(id: string, instanceOf = ''): string {
   const [kind = ''] = id.split(' ');

@@ -80,7 +80,6 @@ class Workspace {
     const blocks = { offline: await ask('offline'), online: await ask('online') };
     if (look !== this.looks) return; // a later look has seen more
     this.blocks = blocks;
-    if (!plc.can('download')) return;
     const compared = (await quiet(connection.ask('program.compare')))?.blocks ?? [];
     if (look === this.looks) this.compared = compared;
   }

@@ -11,6 +11,11 @@ export const sinumerik = {
     'Die Bausteine sind in den Dateien. „Laden“ übersetzt alle und startet die PLC neu.',
     'The blocks are in the files. “Load” compiles all of them and restarts the PLC.',
   ],
+  blockName: ['Baustein, z. B. PB 1, FB 1, DB 10', 'Block, e.g. PB 1, FB 1, DB 10'],
+  blockNameWrong: [
+    'Für einen Baustein OB, PB, SB, FB oder DB mit Nummer eingeben, für eine Variablentabelle VAT.',
+    'Enter OB, PB, SB, FB or DB with a number for a block, VAT for a variable table.',
+  ],
   load: [
     'Alles speichern, übersetzen und die PLC damit neu starten',
     'Save and compile everything and restart the PLC with it',
