@@ -112,8 +112,12 @@ test('the statement that stopped the CPU is marked, with the registers of that i
   const bar = fault.getByRole('status').filter({ hasText: 'STOP in FC 1, Zeile 8' });
   await has(bar, /AKKU1 0000FFFF/);
   assert.equal(await bar.getByRole('button').count(), 0, 'it is in sight');
+  // The reason is on the front plate; no sentence denies the status that is shown.
+  const reason = await fault.locator('aside a[href="#/diagnosis"]').innerText();
+  assert.ok(!(await bar.innerText()).includes(reason), reason);
   await fault.getByRole('switch', { name: 'Status' }).click();
   await until(async () => (await statusOf(fault, 8)).includes('0000FFFF'), 'AKKU 1 beside the statement');
+  assert.equal(await fault.getByText('Die CPU steht').count(), 0);
   await accessible(fault, 'failed statement');
   await toLine(fault, 1);
   await bar.getByRole('button', { name: 'Zur Anweisung' }).press('Enter');
