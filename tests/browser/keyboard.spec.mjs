@@ -77,3 +77,64 @@ test('the mode selector follows the arrow keys', async () => {
   if (/STOP/.test(await here())) await page.keyboard.press('Enter');
   await until(() => page.locator('[data-mode="STOP"]').count(), 'STOP');
 });
+
+const row = () => page.evaluate(() => Number(document.activeElement?.closest('tr')?.dataset.row ?? -1));
+const type = async (text) => (await page.keyboard.type(text), await page.keyboard.press('Enter'));
+
+test('a table of variables is filled and walked by keys', async () => {
+  await tabTo(/^Variablen$/);
+  await page.keyboard.press('Enter');
+  await tabTo(/^Operand .*1$/);
+  await type('MW 100..106');
+  await expect(row, 4, 'the empty row below the range');
+  await type('MW 200');
+  await expect(row, 5);
+  await page.keyboard.press('ArrowUp');
+  await expect(row, 4);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Control+Home');
+  await expect(row, 0);
+  await type('MW 300..698');
+  await page.keyboard.press('Control+Home');
+  await expect(row, 0);
+  await page.keyboard.press('Control+End');
+  await expect(async () => (await row()) > 200, true, 'the last row, which was not there');
+  await page.keyboard.press('Control+Home');
+  await expect(row, 0);
+  // The field of the modify value has the same keys.
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowDown');
+  await expect(row, 1);
+  assert.match(await here(), /^Steuerwert/);
+});
+
+const pane = () => page.evaluate(() => {
+  const at = (selector) => document.activeElement?.closest(selector);
+  return at('.messages') ? 'messages' : at('.side') ? 'list' : at('[role=toolbar]') ? 'bar' : at('.work > .text') ? 'text' : at('.panel') ? 'drawer' : '';
+});
+
+async function toPane(wanted) {
+  for (let presses = 0; presses < 6 && (await pane()) !== wanted; presses++) await page.keyboard.press('F6');
+  assert.equal(await pane(), wanted);
+}
+
+test('F6 goes round the panes of the program, Esc and Tab lead out of the text', async () => {
+  await page.reload();
+  await tabTo(/^Programm$/);
+  await page.keyboard.press('Enter');
+  await page.locator('.code .cm-content').waitFor();
+  await page.getByRole('treeitem').first().waitFor();
+  await expect(pane, 'text', 'the entry block is open');
+  for (const wanted of ['drawer', 'list', 'bar', 'text', 'drawer']) {
+    await page.keyboard.press('F6');
+    await expect(pane, wanted);
+  }
+  for (const [key, wanted] of [['Shift+F6', 'text'], ['Shift+F6', 'bar'], ['F6', 'text']]) {
+    await page.keyboard.press(key);
+    await expect(pane, wanted);
+  }
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Tab');
+  await until(async () => (await pane()) !== 'text', 'out of the text');
+});

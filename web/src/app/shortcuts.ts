@@ -22,6 +22,7 @@ export const keys: Key[] = [
   { keys: 'Alt P', text: 'keyPause' },
   { keys: 'Alt N', text: 'keyStep' },
   { keys: 'Esc', text: 'keyEscape' },
+  { keys: 'F6', text: 'keyPane' },
   { keys: 'Ctrl S', text: 'keySave' },
   { keys: 'Ctrl L', text: 'keyLoad' },
   { keys: 'Ctrl J', text: 'keySymbol' },

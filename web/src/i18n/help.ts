@@ -79,6 +79,10 @@ export const help: Record<string, readonly Text[]> = {
       'A range (MW 10..20), lines of a spreadsheet and “From the symbols …” fill many rows at once.',
     ],
     [
+      'Enter im Operanden geht zur nächsten Zeile, ↑ und ↓ zur vorigen und nächsten, Strg Ende zur letzten.',
+      'Enter in the operand goes to the next row, ↑ and ↓ to the previous and next one, Ctrl End to the last.',
+    ],
+    [
       '„Steuern“ schreibt alle Steuerwerte gemeinsam; „Trigger …“ bestimmt, an welcher Stelle des Zyklus.',
       '“Modify” writes all modify values together; “Trigger …” says where in the cycle.',
     ],

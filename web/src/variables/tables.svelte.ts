@@ -45,8 +45,11 @@ export class Table {
     if (this.rows[this.rows.length - 1]?.operand !== '') this.rows.push(emptyRow());
   }
 
-  /** An operand has been typed: a range becomes its rows. */
-  settle(row: Row): void {
+  /** An operand has been typed: a range becomes its rows. The row below them, or that is to be typed into after a range. */
+  settle(row: Row): number {
+    const index = this.rows.indexOf(row);
+    // Gone already: its field tells once more that it has changed.
+    if (index < 0) return 0;
     const operands = rangeOf(row.operand);
     if (operands.length > 1)
       this.paste(
@@ -54,6 +57,9 @@ export class Table {
         operands.map((operand) => ({ ...row, operand, modify: '' })),
       );
     else this.complete();
+    if (operands.length <= 1) return Math.min(index + 1, this.rows.length - 1);
+    const below = index + operands.length;
+    return this.rows.findIndex((one, at) => at >= below && one.operand.trim() === '');
   }
 
   /** Rows in place of this one if it is empty or a range, else below it. */

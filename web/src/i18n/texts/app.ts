@@ -31,6 +31,10 @@ export const app = {
   keyStop: ['CPU nach STOP', 'CPU to STOP'],
   keyPause: ['Zeit anhalten und weiterlaufen lassen', 'Pause and resume time'],
   keyStep: ['einen Zyklus weiter (bei angehaltener Zeit)', 'run one cycle (while time is paused)'],
+  keyPane: [
+    'Programm: zum nächsten Bereich – Liste, Leiste, Text, Fenster unten, Meldungen; ⇧ F6 zum vorigen',
+    'Program: to the next pane – list, bar, text, drawer, messages; ⇧ F6 to the previous one',
+  ],
   keySave: ['Programmtext, Symbole speichern', 'Save program text, symbols'],
   keyLoad: ['in die CPU laden', 'load into the CPU'],
   viewFailed: ['Diese Ansicht konnte nicht geladen werden.', 'This view could not be loaded.'],
