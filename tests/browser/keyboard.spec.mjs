@@ -138,3 +138,22 @@ test('F6 goes round the panes of the program, Esc and Tab lead out of the text',
   await page.keyboard.press('Tab');
   await until(async () => (await pane()) !== 'text', 'out of the text');
 });
+
+test('a message lies over the view, and is closed by keys', async () => {
+  const height = () => page.locator('main').evaluate((one) => one.clientHeight);
+  const before = await height();
+  await toPane('text');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('x');
+  await page.keyboard.press('Control+l');
+  const message = page.locator('.message.problem').first();
+  await message.waitFor();
+  assert.equal(await message.getAttribute('role'), 'alert');
+  assert.equal(await height(), before);
+  await toPane('messages');
+  for (let left = await page.locator('.message').count(); left > 0 && (await here()) !== 'Meldung schließen'; left--) await page.keyboard.press('Tab');
+  const count = await page.locator('.message').count();
+  await page.keyboard.press('Enter');
+  await until(async () => (await page.locator('.message').count()) < count, 'one less');
+  assert.notEqual(await here(), '', 'the keyboard is somewhere');
+});

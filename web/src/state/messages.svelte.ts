@@ -15,7 +15,7 @@ export interface Message {
   method: string;
 }
 
-const SHOWN = 5;
+const SHOWN = 3;
 /** How long good news stays; a problem stays until the same thing succeeds, another view opens or somebody closes it. */
 const DONE_MS = 6000;
 
