@@ -107,7 +107,8 @@ function blockComment(rest: string, state: LexerState): { length: number; kind: 
 }
 
 function keyword(rest: string, state: LexerState): { length: number; kind: TokenKind } | undefined {
-  if (!state.start) return undefined;
+  // A header may go on in the line of its block: DATA_BLOCK DB 41 SFB 41 BEGIN.
+  if (!state.start) return state.section === 'head' && state.block ? headKeyword(rest, state) : undefined;
   const found = (match: RegExpExecArray): { length: number; kind: TokenKind } => ({
     length: match[0].length,
     kind: 'keyword',
@@ -138,6 +139,13 @@ function keyword(rest: string, state: LexerState): { length: number; kind: Token
   }
   if ((match = headKeywords.exec(rest))) return found(match);
   return undefined;
+}
+
+function headKeyword(rest: string, state: LexerState): ReturnType<typeof keyword> {
+  if (![textKeywords, headKeywords, declarationKeywords, /^BEGIN\b/i].some((words) => words.test(rest)))
+    return undefined;
+  state.start = true;
+  return keyword(rest, state);
 }
 
 function statement(rest: string, state: LexerState): { length: number; kind: TokenKind } {

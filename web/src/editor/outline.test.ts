@@ -75,4 +75,37 @@ describe('outline of a source', () => {
     const [block] = outline(`FUNCTION FC 1 : VOID\nVAR_TEMP\n${declarationText(row)}\nEND_VAR\n`);
     expect(block!.declarations[0]).toMatchObject(row);
   });
+  it('takes the first word of a header as the name, whatever follows it', () => {
+    const headers: [string, string][] = [
+      ['DATA_BLOCK DB 41 SFB 41', 'DB 41'],
+      ['DATA_BLOCK DB 10 FB 10 // data of the press', 'DB 10'],
+      ['DATA_BLOCK (* data *) DB10 UDT 3;', 'DB10'],
+      ['data_block db  4 "Slider"', 'db 4'],
+      ['DATA_BLOCK "Small: boxes" "Slider"', '"Small: boxes"'],
+      ['DATA_BLOCK"Pump"', '"Pump"'],
+      ['DATA_BLOCK DB 5 STRUCT', 'DB 5'],
+      ['DATA_BLOCK', ''],
+      ['FUNCTION_BLOCK FB 10 TITLE = FB 11 : pump', 'FB 10'],
+      ['FUNCTION_BLOCK FB 11 VERSION : 1.0', 'FB 11'],
+      ["FUNCTION FC 3 { S7_x := 'a' } : INT", 'FC 3'],
+      ['FUNCTION FC 4 : VOID // FC 5', 'FC 4'],
+      ['ORGANIZATION_BLOCK OB\t1', 'OB 1'],
+      ['TYPE UDT 7', 'UDT 7'],
+    ];
+    for (const [header, name] of headers) expect(outline(header)[0]!.name, header).toBe(name);
+    expect(outline('DATA_BLOCK // of the press\n  DB 8\n  FB 8\nBEGIN\nEND_DATA_BLOCK')[0]!.name).toBe('DB 8');
+  });
+  it('reads on in the line of a header', () => {
+    const [first, second, third] = outline(`FUNCTION_BLOCK FB 10 TITLE = Pump: one
+VERSION : 1.0
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 1 FB 10 BEGIN END_DATA_BLOCK
+FUNCTION_BLOCK FB 11 VAR_INPUT
+  Name : INT ;
+END_VAR
+`);
+    expect(first).toMatchObject({ title: 'Pump: one', end: 3 });
+    expect(second).toMatchObject({ name: 'DB 1', begin: 4, end: 4 });
+    expect(third!.declarations.map(({ name }) => name)).toEqual(['Name']);
+  });
 });

@@ -31,7 +31,7 @@ export interface BlockOutline {
   title: string;
   /** A data block or a type has nothing to run. */
   hasCode: boolean;
-  /** Whether it may declare variables; a listing has its own form for them. */
+  /** Whether it may declare variables in sections; a listing has its own form for them. */
   declares: boolean;
   line: number;
   end: number; // last line
@@ -74,7 +74,8 @@ export function outline(source: string): BlockOutline[] {
     const first = tokens.find((token) => token.kind !== 'comment');
     if (first) readLine(reader, tokens, first, text, index + 1);
     if (reader.block) reader.block.end = index + 1;
-    if (first?.kind === 'keyword' && /^END_(?!VAR|STRUCT)/i.test(first.text)) reader.block = undefined;
+    if (tokens.some(({ kind, text }) => kind === 'keyword' && /^END_(?!VAR|STRUCT)/i.test(text)))
+      reader.block = undefined;
   });
   return reader.blocks;
 }
@@ -82,9 +83,10 @@ export function outline(source: string): BlockOutline[] {
 function readLine(reader: Reader, tokens: readonly Token[], first: Token, text: string, line: number): void {
   const word = first.kind === 'keyword' ? first.text.toUpperCase() : '';
   if (/^(ORGANIZATION_BLOCK|FUNCTION_BLOCK|FUNCTION|DATA_BLOCK|TYPE)$/.test(word))
-    return beginBlock(reader, word, tokens, line);
+    return beginBlock(reader, word, tokens, text, line);
   const block = reader.block;
   if (!block) return;
+  if (block.name === '' && nameKinds.includes(first.kind)) return void (block.name = nameOf(first));
   if (word in sectionWords) {
     block.sections.push({ declaration: sectionWords[word]!, line, end: 0 });
     reader.depth = 0;
@@ -97,19 +99,18 @@ function readLine(reader: Reader, tokens: readonly Token[], first: Token, text: 
   else readDeclaration(reader, block, text, line);
 }
 
-function beginBlock(reader: Reader, keyword: string, tokens: readonly Token[], line: number): void {
-  const rest = tokens.slice(1).filter((token) => token.kind !== 'comment');
-  const stop = rest.findIndex((token) => token.text === ':' || token.kind === 'keyword');
-  const name = (stop < 0 ? rest : rest.slice(0, stop))
-    .map((token) => token.text)
-    .join(' ')
-    .replace(/\s+/g, ' ');
+const nameKinds: readonly Token['kind'][] = ['operand', 'symbol', 'name', 'type'];
+const nameOf = (token: Token): string => token.text.replace(/\s+/g, ' ');
+
+// The first word is the name, whatever type, attributes or comments follow: DATA_BLOCK DB 41 SFB 41 // controller
+function beginBlock(reader: Reader, keyword: string, tokens: readonly Token[], text: string, line: number): void {
+  const [, name, ...rest] = tokens.filter((token) => token.kind !== 'comment');
   reader.block = {
     keyword,
-    name,
+    name: name && nameKinds.includes(name.kind) ? nameOf(name) : '',
     title: '',
     hasCode: !/^(DATA_BLOCK|TYPE)$/.test(keyword),
-    declares: true,
+    declares: allowedDeclarations(keyword).length > 0,
     line,
     end: line,
     begin: 0,
@@ -120,6 +121,8 @@ function beginBlock(reader: Reader, keyword: string, tokens: readonly Token[], l
   };
   reader.blocks.push(reader.block);
   reader.depth = 0;
+  const next = rest.find((token) => token.kind === 'keyword');
+  if (next) readLine(reader, tokens.slice(tokens.indexOf(next)), next, text.slice(next.from), line);
 }
 
 function endSection(block: BlockOutline, line: number): void {

@@ -93,6 +93,10 @@ export const program = {
   addVariable: ['Variable', 'Variable'],
   removeVariable: ['{name} löschen', 'Delete {name}'],
   noDeclarations: ['Keine Variablen.', 'No variables.'],
+  declaredAsData: [
+    'Die Variablen eines Datenbausteins zeigt die Datensicht.',
+    'The data view shows the variables of a data block.',
+  ],
   networkList: ['Netzwerke', 'Networks'],
   network: ['Netzwerk {number}', 'Network {number}'],
   problems: ['Fehler', 'Problems'],
