@@ -5,14 +5,14 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { text, toLine } from './editor.mjs';
-import { expect, message, open, serve, until } from './harness.mjs';
+import { expect, message, open, serve, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const server = await serve('sorting-plant');
 const page = await open(server, 'io');
 const panel = page.locator('#program-panel');
 const field = panel.getByLabel('Text, auch ein Teil eines Wortes');
-const found = () => panel.getByRole('status').innerText();
+const found = () => panel.locator('.count').innerText();
 const hits = panel.locator('tr[data-hit]');
 const roomy = async () => {
   let crowded;
@@ -57,7 +57,7 @@ test('what is replaced is seen before, left out where one wants, and saved at on
   await accessible(page, 'replace');
   const kept = (await hits.last().locator('button').innerText()).split(':');
   await panel.getByRole('button', { name: `${all - 1} ersetzen` }).press('Enter');
-  await message(page, new RegExp(`^.*${all - 1} Stellen in \\d Dateien ersetzt`));
+  await panel.getByText(new RegExp(`^${all - 1} Stellen in \\d Dateien ersetzt. Noch nicht gespeichert.`)).waitFor();
   await expect(() => hits.count(), 1);
   assert.match(await text(page), /WaySmall +: S5TIME/);
   await panel.getByRole('button', { name: /Dateien speichern$/ }).press('Enter');
@@ -72,6 +72,51 @@ test('what is replaced is seen before, left out where one wants, and saved at on
   await panel.getByRole('button', { name: `${all - 1} ersetzen` }).click();
   await panel.getByRole('button', { name: /Dateien speichern$/ }).click();
   await until(() => !readFileSync(join(server.project, 'sorting.awl'), 'utf-8').includes('WaySmall'), 'the old name');
+});
+
+test('one click takes a replacement back in all files', async () => {
+  const before = await text(page);
+  await panel.getByLabel('Ersetzen durch').fill('Gone');
+  await field.fill('Slider small');
+  await until(async () => new Set((await hits.locator('button').allInnerTexts()).map((one) => one.split(':')[0])).size >= 3, 'several files');
+  await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
+  await expect(() => page.locator('.dirty').count(), 3);
+  await accessible(page, 'replaced');
+  await panel.getByRole('button', { name: 'Rückgängig' }).press('Enter');
+  await message(page, /3 Dateien wie vor dem Ersetzen/);
+  await expect(() => page.locator('.dirty').count(), 0);
+  assert.equal(await text(page), before);
+  await expect(() => panel.getByRole('button', { name: 'Rückgängig' }).count(), 0);
+});
+
+test('what is written about the project is replaced only if one says so', async () => {
+  await field.fill('Slider small');
+  const ticks = (file) => panel.locator(`tr[data-hit^="${file}"]`).getByRole('checkbox');
+  await until(async () => (await ticks('README.md').count()) > 0 && (await ticks('sorting.awl').count()) > 0, 'hits of both');
+  assert.equal(await ticks('README.md').first().isChecked(), false);
+  assert.equal(await ticks('sorting.awl').first().isChecked(), true);
+});
+
+test('after a reload the dots and the problems are those of all drafts', async () => {
+  await panel.getByLabel('Groß/klein').check();
+  await field.fill('Slider small');
+  const symbols = panel.locator('tr[data-hit^="sorting.sym"]').getByRole('checkbox');
+  await symbols.first().waitFor();
+  for (const one of await symbols.all()) await one.uncheck();
+  await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
+  await expect(() => page.locator('.dirty').count(), 2);
+  await visit(page, server, 'program?file=sizes.scn');
+  await page.reload();
+  await expect(() => page.locator('.dirty').count(), 2);
+  await page.getByRole('tab', { name: /^Fehler/ }).click();
+  await panel.getByText(/^sorting\.awl/).first().waitFor();
+  await page.keyboard.press('Control+Shift+F');
+  await field.fill('Gone');
+  await panel.getByLabel('Ersetzen durch').fill('Slider small');
+  await panel.getByLabel('Vorschau').check();
+  await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
+  await expect(() => page.locator('.dirty').count(), 0);
+  await visit(page, server, 'program?file=sorting.awl');
 });
 
 test('the values of the operands follow the cursor, and are modified beside the program', async () => {

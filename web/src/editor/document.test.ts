@@ -7,6 +7,10 @@ const storage = {
   getItem: (key: string) => kept.get(key) ?? null,
   setItem: (key: string, value: string) => void kept.set(key, value),
   removeItem: (key: string) => void kept.delete(key),
+  get length() {
+    return kept.size;
+  },
+  key: (index: number) => [...kept.keys()][index] ?? null,
 };
 const drafts = new Drafts(storage, 'plant');
 const opened = (text = 'U E 0.0', revision = 1) => new OpenDocument('a.awl', { text, revision }, drafts);
@@ -83,4 +87,11 @@ test('each tab keeps what was typed in it, whatever another one types or saves',
   expect(again.text).toBe('U E 0.1');
   expect(again.conflict?.text).toBe('U E 0.2');
   expect(kept.size).toBe(0);
+});
+
+test('the files with drafts are known without opening them', () => {
+  opened().edit('U E 0.1');
+  new Drafts(storage, 'plant 2').write('b.awl', { text: 'U E 0.2', revision: 1 });
+  expect(drafts.paths()).toEqual(['a.awl']);
+  expect(new Drafts(storage, 'pla').paths()).toEqual([]);
 });

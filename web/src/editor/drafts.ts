@@ -10,6 +10,8 @@ export interface Storage {
   getItem(key: string): string | null;
   setItem(key: string, value: string): void;
   removeItem(key: string): void;
+  readonly length: number;
+  key(index: number): string | null;
 }
 
 export class Drafts {
@@ -28,6 +30,15 @@ export class Drafts {
     } catch {
       return null;
     }
+  }
+
+  /** What has a draft in this project. */
+  paths(): string[] {
+    const begin = this.key('');
+    const keys = [this.tab, this.storage].flatMap((kept) =>
+      Array.from({ length: kept.length }, (_, index) => kept.key(index) ?? ''),
+    );
+    return [...new Set(keys.filter((key) => key.startsWith(begin)).map((key) => key.slice(begin.length)))];
   }
 
   /** False if the browser keeps nothing: the caller tells the user. */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { around, find, replaceAt, replacedLine } from './search';
+import { around, find, isProse, replaceAt, replacedLine } from './search';
 
 const source = '      U     "Slider small";\r\n// the sliders\n      =     #slider;\n';
 const query = (text: string, matchCase = false, wholeWord = false) => ({ text, matchCase, wholeWord });
@@ -33,4 +33,9 @@ test('a row shows what stands around it', () => {
     'x',
     'x'.repeat(20),
   ]);
+});
+
+test('what is written about the project is no source', () => {
+  expect(['README.md', 'german.txt', 'notes/OLD.TXT'].every(isProse)).toBe(true);
+  expect(['main.awl', 'main.sym', 'md.vat', 'txt'].some(isProse)).toBe(false);
 });

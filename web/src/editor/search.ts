@@ -65,3 +65,6 @@ export function around({ text, from, to }: Hit, room = 60): [before: string, fou
   const before = (begin > 0 ? '…' : '') + text.slice(begin, from).replace(/^\s+/, '');
   return [before, text.slice(from, to), text.slice(to, to + 2 * room)];
 }
+
+/** Texts about the project, in plain language: nobody means them who renames a symbol. */
+export const isProse = (path: string): boolean => /\.(md|txt)$/i.test(path);

@@ -34,6 +34,8 @@ class Workspace {
   private drafts = new Drafts(localStorage, '', sessionStorage);
   private saving = new WeakMap<OpenDocument, Promise<boolean>>();
   private looks = 0;
+  /** Whether what was typed in all files of this project is open again. */
+  private restored = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** Whether what is here is of that project. */
@@ -54,6 +56,7 @@ class Workspace {
     this.interfaces = [];
     this.problems = [];
     this.checked = false;
+    this.restored = false;
   }
 
   /** After a change of files, by any browser or on the disk. They may come faster than a program is compiled. */
@@ -68,9 +71,16 @@ class Workspace {
       if (document.readonly) continue;
       else if (this.exists(document.path)) await this.reread(document);
       else if (!document.dirty) this.close(document.path);
+    if (answer && !this.restored) await this.restore();
     const catalogue = plc.can('completion') && (await quiet(connection.ask('program.completion')));
     if (catalogue) this.catalogue = catalogue;
     this.checkSoon();
+  }
+
+  /** After a reload: their dots, their problems and "load" are those of all drafts, not only of the text that is shown. */
+  private async restore(): Promise<void> {
+    this.restored = true;
+    for (const path of this.drafts.paths()) if (this.exists(path)) await this.fetch(path, quiet);
   }
 
   private async readBlocks(): Promise<void> {

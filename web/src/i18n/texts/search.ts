@@ -10,8 +10,15 @@ export const search = {
   replace: ['{count} ersetzen', 'Replace {count}'],
   replaceHere: ['Ersetzen in {place}', 'Replace in {place}'],
   replaced: [
-    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien} ersetzt, noch nicht gespeichert.',
-    '{count} {count|place|places} in {files} {files|file|files} replaced, not yet saved.',
+    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien} ersetzt.',
+    '{count} {count|place|places} in {files} {files|file|files} replaced.',
+  ],
+  unsaved: ['Noch nicht gespeichert.', 'Not yet saved.'],
+  undo: ['Rückgängig', 'Undo'],
+  undone: ['{files} {files|Datei|Dateien} wie vor dem Ersetzen.', '{files} {files|file|files} as before replacing.'],
+  changedSince: [
+    'Seit dem Ersetzen geändert und so gelassen: {files}',
+    'Changed since the replacement and left as they are: {files}',
   ],
   saveAll: ['{count} {count|Datei|Dateien} speichern', 'Save {count} {count|file|files}'],
   saved: ['Alles gespeichert.', 'Everything saved.'],
