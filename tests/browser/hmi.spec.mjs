@@ -94,6 +94,9 @@ test('in operation it shows what the operands have, full screen at an address of
   await panel.locator('.state.on').first().waitFor();
   await panel.keyboard.up('Space');
   await expect(() => item('lamp', panel).getAttribute('data-value'), '0');
+  await expect(() => panel.locator('[data-item=motor] .caption').innerText(), 'Motor on');
+  await expect(() => panel.locator('[data-item=lamp] .caption').innerText(), 'Motor on');
+  await expect(() => panel.locator('[data-item=tank] .caption').innerText(), 'Öl');
   const field = panel.getByLabel('Neuer Wert von MW 10');
   await field.fill('-7');
   await field.press('Enter');
@@ -133,6 +136,15 @@ test('a picture that has not been read yet cannot be changed', async () => {
   answer();
   await late.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).waitFor();
   await late.context().close();
+});
+
+test('without a caption a symbol is called as its operand in the words of the page', async () => {
+  writeFileSync(join(project, 'Presse.hmi'), 'button ; 20 ; 20 ; 110 ; 50 ; E 124.0\nlamp ; 200 ; 20 ; 40 ; 40 ; A 4.1\n');
+  const english = await open(server, 'pictures?file=Presse.hmi&full=1', { language: 'en' });
+  await english.getByRole('button', { name: 'I 124.0' }).waitFor();
+  await expect(() => item('lamp', english).innerText(), 'Q 4.1');
+  await english.getByRole('img', { name: 'Lamp Q 4.1: 0' }).waitFor();
+  await english.context().close();
 });
 
 test('what another browser draws is seen; a line that is no symbol is named', async () => {

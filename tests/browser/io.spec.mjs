@@ -96,5 +96,7 @@ test('in English inputs and outputs are I and Q', async () => {
   const english = await open(server, 'io', { language: 'en' });
   await expect(() => english.locator('button[data-operand="E 0.0"] .address').innerText(), 'I 0.0');
   await english.getByRole('heading', { name: 'QB 1' }).waitFor();
+  for (const name of ['Remove QB 1', 'Format of QB 1', 'Value for QB 1']) await english.getByLabel(name, { exact: true }).waitFor();
+  await expect(() => english.locator('[aria-label*="EB 0"], [aria-label*="AB 1"]').count(), 0);
   await expect(() => page.locator('button[data-operand="E 0.0"] .address').innerText(), 'E 0.0');
 });
