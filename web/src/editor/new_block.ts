@@ -22,6 +22,9 @@ export function blockId(text: string, family: Family = 'S7'): string | null {
   return kinds[family].includes(kind.toUpperCase()) ? `${kind.toUpperCase()} ${Number(number)}` : null;
 }
 
+/** A block as everything calls it, however it was written; anything else stays. */
+export const plainId = (text: string): string => blockId(text) ?? text.replace(/\s+/g, ' ');
+
 export const isTable = (id: string): boolean => id.startsWith('VAT');
 export const fileOf = (id: string, family: Family = 'S7'): string =>
   `${id.replace(' ', '').toLowerCase()}.${isTable(id) ? 'vat' : family === 'S5' ? 's5' : 'awl'}`;
