@@ -101,8 +101,8 @@ test('after a reload the dots and the problems are those of all drafts', async (
   await panel.getByLabel('Groß/klein').check();
   await field.fill('Slider small');
   const symbols = panel.locator('tr[data-hit^="sorting.sym"]').getByRole('checkbox');
-  await symbols.first().waitFor();
-  for (const one of await symbols.all()) await one.uncheck();
+  await expect(() => symbols.count(), 1);
+  await symbols.uncheck();
   await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
   await expect(() => page.locator('.dirty').count(), 2);
   await visit(page, server, 'program?file=sizes.scn');

@@ -2,8 +2,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { OpenDocument } from './document.svelte';
 import { Drafts } from './drafts';
 
-const kept = new Map<string, string>();
-const storage = {
+const storageOf = (kept: Map<string, string>) => ({
   getItem: (key: string) => kept.get(key) ?? null,
   setItem: (key: string, value: string) => void kept.set(key, value),
   removeItem: (key: string) => void kept.delete(key),
@@ -11,7 +10,9 @@ const storage = {
     return kept.size;
   },
   key: (index: number) => [...kept.keys()][index] ?? null,
-};
+});
+const kept = new Map<string, string>();
+const storage = storageOf(kept);
 const drafts = new Drafts(storage, 'plant');
 const opened = (text = 'U E 0.0', revision = 1) => new OpenDocument('a.awl', { text, revision }, drafts);
 beforeEach(() => kept.clear());
@@ -66,15 +67,7 @@ test('another project of the same file names has its own drafts', () => {
 });
 
 test('each tab keeps what was typed in it, whatever another one types or saves', () => {
-  const tab = (): Drafts => {
-    const own = new Map<string, string>();
-    const mine = {
-      getItem: (key: string) => own.get(key) ?? null,
-      setItem: (key: string, value: string) => void own.set(key, value),
-      removeItem: (key: string) => void own.delete(key),
-    };
-    return new Drafts(storage, 'plant', mine);
-  };
+  const tab = (): Drafts => new Drafts(storage, 'plant', storageOf(new Map()));
   const here = tab();
   const there = tab();
   const stored = { text: 'U E 0.0', revision: 1 };
