@@ -130,6 +130,7 @@ export const projects = {
   upload: ['Aus der CPU holen', 'Upload from the CPU'],
   uploaded: ['Aus der CPU geholt: {files}', 'Uploaded from the CPU: {files}'],
   select: ['{block} auswählen', 'Select {block}'],
+  symbolOrTitle: ['Symbol oder Titel', 'Symbol or title'],
   selectAll: ['Alle auswählen', 'Select all'],
   bytes: ['{bytes} B', '{bytes} B'],
   noBlocks: ['Weder im Projekt noch in der CPU sind Bausteine.', 'There are no blocks in the project or in the CPU.'],

@@ -15,6 +15,7 @@ export const symbols = {
   wrong: ['Nicht speicherbar: {count} Fehler', 'Cannot be saved: {count} {count|problem|problems}'],
   onlyWarnings: ['Kann gespeichert werden; zu beachten:', 'Can be saved; note:'],
   add: ['Zeile', 'Row'],
+  removal: ['Löschen', 'Delete'],
   remove: ['Zeile {row} löschen', 'Delete row {row}'],
   sort: ['Nach {field} sortieren', 'Sort by {field}'],
   import: ['Importieren …', 'Import …'],
