@@ -146,6 +146,7 @@ test('a running PLC is not taken from another page without a question, and that 
   await question.getByRole('button', { name: 'Wechseln' }).press('Enter');
   await until(async () => (await page.locator('.folder').innerText()).endsWith('/lift'), 'the lift');
   await message(other, /Eine andere Seite hat das Projekt .* geöffnet/);
+  await expect(() => other.locator('.message').filter({ hasText: /Erledigt: *Eine andere Seite/ }).count(), 0);
   await expect(() => page.locator('.message').filter({ hasText: 'Eine andere Seite' }).count(), 0);
   // In STOP nothing is taken from anybody.
   await turn(page, 'STOP');

@@ -51,7 +51,7 @@ class ProjectChange {
       const folder = plc.project?.folder ?? '';
       const name = plc.project?.name ?? '';
       if (known !== undefined && known !== folder && this.own === 0)
-        untrack(() => messages.done(name ? t('changedByOther', { name }) : t('closedByOther'), true));
+        untrack(() => messages.news(name ? t('changedByOther', { name }) : t('closedByOther')));
       known = folder;
     });
   }

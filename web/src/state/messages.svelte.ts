@@ -2,7 +2,8 @@ import { connection, ConnectionLost, Refused, type Problem } from '../connection
 
 export interface Message {
   id: number;
-  kind: 'problem' | 'done';
+  /** `news`: what somebody else did. */
+  kind: 'problem' | 'done' | 'news';
   text: string;
   arguments?: string[];
   code: string;
@@ -40,6 +41,11 @@ class Messages {
     if (!stays) setTimeout(() => this.dismiss(id), DONE_MS);
   }
 
+  /** Until somebody closes it. */
+  news(text: string): void {
+    this.add({ kind: 'news', text, code: '', file: '', line: 0, column: 0, method: '' });
+  }
+
   dismiss(id: number): void {
     this.list = this.list.filter((message) => message.id !== id);
   }
@@ -47,12 +53,12 @@ class Messages {
   /** What was refused before has been done now. */
   solved(method: string): void {
     if (this.list.some((one) => one.method === method && one.kind === 'problem'))
-      this.list = this.list.filter((one) => one.method !== method || one.kind === 'done');
+      this.list = this.list.filter((one) => one.method !== method || one.kind !== 'problem');
   }
 
   /** Another view: what the last one was refused is no news there. */
   leave(): void {
-    this.list = this.list.filter((one) => one.kind === 'done');
+    this.list = this.list.filter((one) => one.kind !== 'problem');
   }
 
   private add(message: Omit<Message, 'id'>): number {
