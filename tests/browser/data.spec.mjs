@@ -14,6 +14,7 @@ VAR_INPUT
 END_VAR
 VAR
   Count : INT := 3 ;  // pieces
+  When : DATE_AND_TIME := DT#2026-11-28-12:30:45.123 ;
 END_VAR
 BEGIN
 END_FUNCTION_BLOCK
@@ -59,6 +60,7 @@ test('a data block as its variables, structures folded', async () => {
   await expect(() => actual('Speed'), '1.500000e+000');
   assert.match(await row('Speed').innerText(), /^0\.0\s+Speed\s+REAL\s+1\.500000e\+000/);
   await folded('Recipe').press('Enter');
+  assert.match(await row('Recipe.Step').innerText(), /ARRAY\[1\.\.1000\] OF INT/);
   await expect(() => folded('Recipe').getAttribute('aria-expanded'), 'true');
   await expect(() => actual('Recipe.Name'), "'pale'");
   await accessible(page, 'data view');
@@ -107,6 +109,9 @@ test('an instance shows what its parameters are; the source comes back', async (
   assert.match(await row('Count').innerText(), /STAT[^]*pieces/);
   assert.match(await row('Start').innerText(), /IN\s[^]*FALSE\s+FALSE/);
   await page.locator('.data').getByText('Instanz von FB 1').waitFor();
+  const edge = await page.locator('.data .frame').boundingBox();
+  const field = await row('When').getByRole('textbox').boundingBox();
+  assert.ok(field.x + field.width <= edge.x + edge.width, 'a date leaves the field beside it in sight');
   await page.getByRole('button', { name: 'Datensicht' }).click();
   await page.locator('.code').waitFor();
 });

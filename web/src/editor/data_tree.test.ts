@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { DataRow } from '../connection/protocol';
-import { dataTree, groupsOf, partsOf } from './data_tree';
+import { arrayTypes, dataTree, groupsOf, partsOf } from './data_tree';
 
 const row = (path: string, address: string): DataRow => ({
   operand: `DB2.${path}`,
@@ -46,4 +46,19 @@ test('structures and arrays are folded until somebody opens them', () => {
 test('everything can be unfolded at once', () => {
   expect(groupsOf(rows)).toEqual(['list', 'list[1]', 'list[2]']);
   expect(dataTree(rows, new Set(groupsOf(rows)))).toHaveLength(7);
+});
+
+test('an array says its bounds and what it is of, as far as the rows go', () => {
+  const more = [
+    ...rows,
+    row('grid[1,0]', '8.0'),
+    row('grid[1,1]', '10.0'),
+    row('grid[2,0]', '12.0'),
+    row('grid[2,1]', '14.0'),
+  ];
+  expect([...arrayTypes(more, true)]).toEqual([
+    ['list', 'ARRAY[1..2] OF STRUCT'],
+    ['grid', 'ARRAY[1..2, 0..1] OF INT'],
+  ]);
+  expect([...arrayTypes(more, false).keys()]).toEqual(['list']);
 });

@@ -59,3 +59,30 @@ export const groupsOf = (rows: readonly DataRow[]): string[] => [
     ),
   ),
 ];
+
+/** "[1,2]" and "[3,4]" are "ARRAY[1..3, 2..4]". */
+function bounds(first: string, last: string): string {
+  const [from, to] = [first, last].map((index) => index.slice(1, -1).split(','));
+  return from!.map((low, at) => `${low.trim()}..${to![at]!.trim()}`).join(', ');
+}
+
+/** What arrays are, by their paths, as far as the rows tell; of one that is cut off nobody knows the end. */
+export function arrayTypes(rows: readonly DataRow[], complete: boolean): Map<string, string> {
+  const ends = new Map<string, { first: string; last: string; of: string }>();
+  for (const row of rows) {
+    const parts = partsOf(row.path);
+    for (const [at, { name }] of parts.entries()) {
+      const array = parts[at - 1]?.key;
+      if (!array || !name.startsWith('[')) continue;
+      const known = ends.get(array);
+      if (known) known.last = name;
+      else ends.set(array, { first: name, last: name, of: at === parts.length - 1 ? row.type : 'STRUCT' });
+    }
+  }
+  const cut = complete ? '' : (rows.at(-1)?.path ?? '');
+  return new Map(
+    [...ends].flatMap(([path, { first, last, of }]) =>
+      cut.startsWith(`${path}[`) ? [] : [[path, `ARRAY[${bounds(first, last)}] OF ${of}`] as const],
+    ),
+  );
+}
