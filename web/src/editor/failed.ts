@@ -41,3 +41,7 @@ export function statusOf({ line, registers }: Failed): StatusRow {
 /** The rest of the program status is of the cycles before: beside the statement stands what it found. */
 export const withFailed = (rows: readonly StatusRow[] | null, failed: Failed | null): readonly StatusRow[] | null =>
   failed ? [...(rows ?? []).filter(([line]) => line !== failed.line), statusOf(failed)] : rows;
+
+/** Whether it stands in this block, which then needs no word about a status that it has not. */
+export const isIn = (block: { line: number; end: number } | undefined, failed: Failed | null): boolean =>
+  failed !== null && block !== undefined && block.line <= failed.line && failed.line <= block.end;
