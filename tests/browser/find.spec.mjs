@@ -78,6 +78,8 @@ test('one click takes a replacement back in all files', async () => {
   const before = await text(page);
   await panel.getByLabel('Ersetzen durch').fill('Gone');
   await field.fill('Slider small');
+  // Of these words, not of those that were looked for before.
+  await until(async () => /slider small/i.test(await hits.first().innerText()), 'places of the new words');
   await until(async () => new Set((await hits.locator('button').allInnerTexts()).map((one) => one.split(':')[0])).size >= 3, 'several files');
   await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
   await expect(() => page.locator('.dirty').count(), 3);
