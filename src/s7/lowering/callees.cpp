@@ -8,6 +8,8 @@ namespace {
 using mc7::Operation;
 
 constexpr std::uint32_t kDeepest = 3;  // calls in calls
+// No region has room for so many instructions: counted no further, sums of sums would overflow.
+constexpr std::uint32_t kTooMany = 2 * kLongestRegion;
 
 // Data block registers and AR2 are those of the caller again behind BE (S7-INSTR-108).
 bool changesWhatReturns(const mc7::Instruction& i) {
@@ -61,7 +63,7 @@ std::optional<Shape> Shapes::measure(const Callee& callee, std::uint32_t depth) 
     if (isCall(i.operation)) {
       const Shape* const called = of(place, depth + 1);
       if (called == nullptr) return std::nullopt;
-      shape.size += called->size;
+      shape.size = std::min(shape.size + called->size, kTooMany);
       shape.branches |= called->branches || i.operation == Operation::CC;
     }
     if (i.operand.kind == mc7::OperandKind::JumpList) return std::nullopt;
