@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { basename, extname, join, resolve } from 'node:path';
-import { after } from 'node:test';
+import { after, afterEach, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 export const root = resolve(fileURLToPath(import.meta.url), '../../..');
@@ -29,6 +29,13 @@ after(async () => {
     }
   }
   if (failures.length) throw failures[0];
+});
+
+/** A page that a test opened goes with it: left open it would draw on, for nobody. Those of the file stay for all its tests. */
+let pagesOfFile = 0;
+beforeEach(() => (pagesOfFile = endings.page.length));
+afterEach(async () => {
+  for (const end of endings.page.splice(pagesOfFile).reverse()) await end();
 });
 
 const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking']
