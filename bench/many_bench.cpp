@@ -76,9 +76,8 @@ void ThousandCpus(benchmark::State& state) {
   constexpr Duration kTime = Duration::seconds(1);
   const auto program = compiled(controlSource(kInstructions), "314C-2 PtP");
   const double before = residentBytes();
-  std::vector<Station> stations;
-  for (std::size_t i = 0; i < kCpus; ++i) stations.push_back(started(program, Engine::Compiled));
-  for (auto _ : state) advanceTogether(stations, kTime);
+  Together stations(kCpus, [&] { return started(program, Engine::Compiled); });
+  for (auto _ : state) stations.advance(kTime);
   state.SetItemsProcessed(state.iterations() * kTime.ns);
   state.counters["bytes"] = residentBytes() - before;
 }

@@ -64,12 +64,12 @@ void ThousandPlants(benchmark::State& state) {
   constexpr std::size_t kPlants = 1000;
   constexpr Duration kTime = Duration::seconds(10);
   const Plant plant;
-  std::vector<station::Station> stations;
-  for (std::size_t i = 0; i < kPlants; ++i) {
-    stations.push_back(plant.station(station::Engine::Compiled));
-    if (!stations.back().warmRestart()) std::abort();
-  }
-  for (auto _ : state) advanceTogether(stations, kTime);
+  Together stations(kPlants, [&] {
+    station::Station station = plant.station(station::Engine::Compiled);
+    if (!station.warmRestart()) std::abort();
+    return station;
+  });
+  for (auto _ : state) stations.advance(kTime);
   state.SetItemsProcessed(state.iterations() * kTime.ns);
 }
 BENCHMARK(ThousandPlants)->UseRealTime()->Iterations(3);

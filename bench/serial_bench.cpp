@@ -97,11 +97,10 @@ void ThousandComputerLinks(benchmark::State& state) {
   constexpr std::size_t kCpus = 1000;
   constexpr Duration kTime = Duration::seconds(1);
   const auto program = fetching();
-  std::vector<Station> stations;
-  for (std::size_t i = 0; i < kCpus; ++i) stations.push_back(busy(program));
-  for (auto _ : state) advanceTogether(stations, kTime);
+  Together stations(kCpus, [&] { return busy(program); });
+  for (auto _ : state) stations.advance(kTime);
   state.SetItemsProcessed(state.iterations() * kTime.ns);
-  for (Station& station : stations) check(station, state);
+  for (std::size_t i = 0; i < kCpus; ++i) check(stations.station(i), state);
 }
 BENCHMARK(ThousandComputerLinks)->UseRealTime()->Iterations(3);
 

@@ -1,24 +1,23 @@
 #include "together.h"
 
-#include <thread>
-
 namespace merker::bench {
 namespace {
 
-void advance(std::vector<station::Station>& stations, std::size_t first, std::size_t end,
-             Duration by) {
-  constexpr Duration kSlice = Duration::seconds(1);
-  for (Duration gone{}; gone < by; gone = gone + kSlice)
-    for (std::size_t i = first; i < end; ++i) stations[i].advanceTo(stations[i].now() + kSlice);
+std::vector<network::Station> stations(std::size_t count,
+                                       const std::function<station::Station()>& make) {
+  std::vector<network::Station> all;
+  for (std::size_t i = 0; i < count; ++i)
+    all.push_back({std::to_string(i), std::make_unique<station::Station>(make())});
+  return all;
 }
 
 }  // namespace
 
-void advanceTogether(std::vector<station::Station>& stations, Duration by) {
-  const std::size_t middle = stations.size() / 2;
-  std::thread half([&] { advance(stations, 0, middle, by); });
-  advance(stations, middle, stations.size(), by);
-  half.join();
+Together::Together(std::size_t count, const std::function<station::Station()>& make)
+    : network_(stations(count, make), 2) {}
+
+station::Station& Together::station(std::size_t i) {
+  return static_cast<station::Station&>(network_.itself(i));
 }
 
 }  // namespace merker::bench
