@@ -16,6 +16,7 @@ test('another PLC is opened with the keyboard alone; the first one goes on', asy
   await other.getByRole('link', { name: 'Weitere SPS …' }).press('Enter');
   await other.getByRole('heading', { name: 'Kein Projekt geöffnet' }).waitFor();
   assert.match(other.url(), /\?plc=2#/);
+  assert.deepEqual(await other.locator('.message').allInnerTexts(), [], 'an empty PLC is no error');
   await other.getByRole('button', { name: /^Öffnen: Garagentor/ }).press('Enter');
   await message(other, /Garagentor/);
   await other.locator('header .project', { hasText: 'PLC 2: Garagentor' }).waitFor();
@@ -54,6 +55,25 @@ test('who would take a running PLC from others is offered another one', async ()
   await until(() => /\?plc=\d#/.test(other.url()), 'another PLC');
   await other.getByRole('heading', { name: 'Kein Projekt geöffnet' }).waitFor();
   await page.locator('[data-mode="RUN"]').waitFor();
+});
+
+test('who would close a running one is asked just that', async () => {
+  const other = await open(server, 'projects');
+  await other.getByRole('button', { name: 'Schließen' }).first().click();
+  const dialog = other.getByRole('dialog', { name: 'Projekt schließen' });
+  await dialog.getByText('Alle Seiten sind danach ohne Projekt').waitFor();
+  assert.equal(await dialog.getByRole('button', { name: 'An einer weiteren SPS öffnen' }).count(), 0);
+  await dialog.getByRole('button', { name: 'Abbrechen' }).click();
+});
+
+test('where there is no such PLC, the page says so and is at the first one', async () => {
+  for (const wrong of ['9', '0', 'abc']) {
+    const lost = await open(server, 'projects');
+    await lost.goto(server.address.replace(/\/$/, `/?plc=${wrong}#/projects`));
+    await message(lost, new RegExp(`keine SPS ${wrong}\\. Diese Seite ist an SPS 1`));
+    await until(() => !lost.url().includes('plc='), 'the address of the first one');
+    await lost.locator('header .project', { hasText: /PLC 1: / }).waitFor();
+  }
 });
 
 test('the wizard makes a project of a SINUMERIK, with the keyboard alone', async () => {

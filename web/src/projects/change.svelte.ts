@@ -16,15 +16,16 @@ class ProjectChange {
     name: string;
     mode: string;
     others: number;
-    /** A PLC without a project; 0: there is none. */
+    /** A PLC without a project; 0: there is none, or it would not help. */
     free: number;
+    closes: boolean;
     decide: (go: boolean) => void;
   } | null>(null);
   private own = 0;
 
-  /** Undefined: it was refused, or the user thought better of it. */
-  async run<T>(request: () => Promise<T>): Promise<T | undefined> {
-    if (this.takesFromOthers() && !(await this.confirmed())) return undefined;
+  /** Undefined: it was refused, or the user thought better of it. `closes`: no other project comes. */
+  async run<T>(request: () => Promise<T>, closes = false): Promise<T | undefined> {
+    if (this.takesFromOthers() && !(await this.confirmed(closes))) return undefined;
     return this.mine(request);
   }
 
@@ -60,13 +61,17 @@ class ProjectChange {
     return plc.project !== null && plc.powered && plc.mode !== 'STOP' && plc.browsers > 1;
   }
 
-  private async confirmed(): Promise<boolean> {
+  private async confirmed(closes: boolean): Promise<boolean> {
     this.decide(false);
-    const { plcs } = await connection.ask('plcs.list').catch(() => ({ plcs: [] }));
-    const free = plcs.find((one) => one.project === '' && one.browsers === 0)?.plc ?? 0;
+    const free = closes ? 0 : await this.freePlc();
     return new Promise((decide) => {
-      this.asking = { name: plc.project?.name ?? '', mode: plc.mode, others: plc.browsers - 1, free, decide };
+      this.asking = { name: plc.project?.name ?? '', mode: plc.mode, others: plc.browsers - 1, free, closes, decide };
     });
+  }
+
+  private async freePlc(): Promise<number> {
+    const { plcs } = await connection.ask('plcs.list').catch(() => ({ plcs: [] }));
+    return plcs.find((one) => one.project === '' && one.browsers === 0)?.plc ?? 0;
   }
 }
 

@@ -1,4 +1,5 @@
 import { connection, type Events, type Phase } from '../connection';
+import type { Entrance } from '../connection/plcs';
 import { stateFields, type Lamps, type Playback, type Project } from '../connection/protocol';
 
 type State = Required<Events['state']>;
@@ -114,9 +115,11 @@ export class Plc implements State {
 
 export const plc = new Plc();
 
-export function followPlc(): void {
+export function followPlc(entrance: Entrance): void {
   let known: string | undefined;
-  connection.on('state', (message) => {
+  connection.on('state', (pushed) => {
+    const message = entrance.pass(pushed);
+    if (message === null) return;
     plc.receive(message);
     connection.station = plc.project?.station ?? '';
     const now = `${plc.project?.folder} ${plc.project?.station} ${plc.program}`;
@@ -127,6 +130,7 @@ export function followPlc(): void {
     // After a pause what was shown before holds again; after a new connection the first state has to come.
     if (phase === 'open' && plc.phase === 'stalled') plc.live = true;
     else if (phase !== 'open') plc.live = false;
+    else entrance.begin();
     plc.phase = phase;
     plc.stalledAt = connection.stalledAt;
   };

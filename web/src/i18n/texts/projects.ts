@@ -84,6 +84,16 @@ export const projects = {
     'An empty PLC for a second project; this one goes on. Each has its own address.',
   ],
   plcNone: ['Alle {count} sind belegt.', 'All {count} are in use.'],
+  plcUnknown: [
+    'An diesem Server gibt es keine SPS {plc}. Diese Seite ist an SPS 1.',
+    'This server has no PLC {plc}. This page is at PLC 1.',
+  ],
+  closeAsk: ['Projekt schließen', 'Close the project'],
+  closeHelp: [
+    'Alle Seiten sind danach ohne Projekt; die Werte dieser CPU gehen verloren.',
+    'No page has a project then; the values of this CPU are lost.',
+  ],
+  closeDo: ['Schließen', 'Close'],
   takeElsewhere: ['An einer weiteren SPS öffnen', 'Open at another PLC'],
   recent: ['Zuletzt geöffnet', 'Recent'],
   filter: ['Beispiele filtern', 'Filter examples'],
