@@ -9,6 +9,8 @@
 
 namespace merker::jit {
 
+struct Ways;
+
 class CodeMemory {
  public:
   // Machine code of one block; gives its place back when it goes.
@@ -28,6 +30,9 @@ class CodeMemory {
   // this memory runs: its pages are writable for that moment. A piece without data if the system
   // gives no memory, or none that may be executed.
   Piece place(std::size_t size, const std::function<bool(void*)>& write);
+
+  // In this memory, for as long as there are blocks that use them (ways.h).
+  std::weak_ptr<const Ways> ways{};
 
  private:
   std::shared_ptr<Piece::Pages> pages_;  // where there may be room left

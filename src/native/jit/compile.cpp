@@ -5,31 +5,16 @@
 namespace merker::jit {
 namespace {
 
-constexpr host::Gp kSaved[] = {host::rbx, host::rbp, host::r12, host::r13, host::r14, host::r15};
-
-// rdi state, rsi where to begin
-void writeEnter(host::Assembler& code, const Layout& layout) {
-  for (const host::Gp& reg : kSaved) code.push(reg);
-  code.sub(host::rsp, kFrame);
-  code.mov(kState, host::rdi);
-  code.mov(host::rax, inState(layout.image));
-  for (std::size_t i = 0; i < layout.images.size(); ++i)
-    code.lea(kImages[i], host::ptr(host::rax, static_cast<int>(layout.images[i]) + kBias));
-  code.mov(kClock, inState(layout.clock));
-  code.mov(kCount, inState(layout.instructions));
-  code.jmp(host::rsi);
-}
-
 // eax: instruction to go on with
-void writeEpilogue(host::Assembler& code, const Layout& layout, const Instructions& answers) {
-  code.mov(inState(layout.clock), kClock);
-  code.mov(inState(layout.instructions), kCount);
-  code.imul(host::rax, host::rax, static_cast<int>(answers.stride));
-  code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(answers.first));
-  code.add(host::rax, host::rcx);
-  code.add(host::rsp, kFrame);
-  for (std::size_t i = std::size(kSaved); i-- > 0;) code.pop(kSaved[i]);
-  code.ret();
+void writeEpilogue(const Unit& unit) {
+  host::Assembler& code = unit.code;
+  if (unit.answers.stride != 1)
+    code.imul(host::rax, host::rax, static_cast<int>(unit.answers.stride));
+  if (unit.answers.first != nullptr) {
+    code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(unit.answers.first));
+    code.add(host::rax, host::rcx);
+  }
+  code.jmp(asmjit::imm(unit.ways.leave));
 }
 
 // The straight ways of all regions one behind the other, then what is rarely taken. False: a region
@@ -44,15 +29,9 @@ bool writeRegions(Unit& unit, std::span<const icode::Region> regions) {
   return true;
 }
 
-std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& enter,
+std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, std::shared_ptr<const Ways> ways,
                                  const Unit& unit) {
-  if (code.flatten() != asmjit::kErrorOk) return nullptr;
-  if (code.resolveUnresolvedLinks() != asmjit::kErrorOk) return nullptr;
-  const std::size_t size = code.codeSize();
-  CodeMemory::Piece memory = unit.options.memory->place(size, [&](void* at) {
-    return code.relocateToBase(reinterpret_cast<std::uintptr_t>(at)) == asmjit::kErrorOk &&
-           code.copyFlattenedData(at, size) == asmjit::kErrorOk;
-  });
+  CodeMemory::Piece memory = placed(code, *unit.options.memory);
   if (memory.data() == nullptr) return nullptr;
   std::vector<const void*> entries(unit.regions.size() + 1);
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -60,7 +39,7 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
     entries[i] = static_cast<const std::uint8_t*>(memory.data()) +
                  code.labelOffset(begins ? unit.regions[i] : unit.epilogue);
   }
-  return std::make_unique<NativeCode>(std::move(memory), size, code.labelOffset(enter),
+  return std::make_unique<NativeCode>(std::move(ways), std::move(memory), code.codeSize(),
                                       code.labelOffset(unit.entrance), std::move(entries));
 }
 
@@ -70,22 +49,20 @@ std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const Layout& layout, const Options& options) {
   if (regions.empty() && instructions != 0) return nullptr;
+  auto ways = commonWays(layout, *options.memory);
+  if (ways == nullptr) return nullptr;
   asmjit::CodeHolder holder;
   holder.init(asmjit::Environment::host());
   host::Assembler code(&holder);
-  Unit unit{code, layout, options, answers, code.newLabel()};
+  Unit unit{code, layout, options, answers, *ways, code.newLabel()};
   unit.regions.resize(instructions);
-  const asmjit::Label enter = code.newLabel();
-  code.bind(enter);
-  writeEnter(code, layout);
   code.bind(unit.epilogue);
-  writeEpilogue(code, layout, answers);
-  if (layout.frames) writeBlockChanges(unit);
+  writeEpilogue(unit);
   for (const icode::Region& region : regions) unit.regions[region.first] = code.newLabel();
   code.bind(unit.entrance);
   if (layout.blocks) writeEntrance(unit);
   if (!writeRegions(unit, regions)) return nullptr;
-  return load(holder, enter, unit);
+  return load(holder, std::move(ways), unit);
 }
 
 }  // namespace merker::jit

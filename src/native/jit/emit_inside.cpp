@@ -78,7 +78,7 @@ void RegionCode::pushFrame(const Inlined& call) {
   code_.mov(host::edi, call.offset);
   code_.mov(host::r8, call.parameters == 0 ? 0 : reinterpret_cast<std::uintptr_t>(call.list));
   code_.mov(host::r9d, call.parameters);
-  code_.call(call.keeps ? unit_.pushKept : unit_.pushFrame);
+  code_.call(asmjit::imm(call.keeps ? unit_.ways.pushKept : unit_.ways.pushFrame));
 }
 
 // On in the compiled code of that block, which knows the way to the interpreter, too.

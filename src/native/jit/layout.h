@@ -14,17 +14,20 @@ struct Layout {
   // Where the address of the first entry is, and the address behind the last one.
   struct List {
     int first = 0, end = 0;
+    bool operator==(const List&) const = default;
   };
   // An open data block, or one that can be opened.
   struct Open {
     int begin = 0;  // of all of it
     int data = 0;   // address of its bytes
     int length = 0, writable = 0, number = 0;
+    bool operator==(const Open&) const = default;
   };
   // Timers or counters.
   struct Cells {
     int first = 0;  // address of number 0
     int bytes = 0;  // from one to the next
+    bool operator==(const Cells&) const = default;
   };
 
   int clock = 0, horizon = 0, instructions = 0;
@@ -45,6 +48,7 @@ struct Layout {
     int first = 0, last = 0;  // of the outermost, and of the innermost that there may be
     int sites = 0;            // address of the Sites, by number
     int dataBlocks = 0;       // address of OpenBlocks, by number
+    bool operator==(const Blocks&) const = default;
   };
   std::optional<Blocks> blocks{};
 
@@ -54,6 +58,7 @@ struct Layout {
     int native = 0;  // address of NativeCode::entries; null: not compiled
     int mark = 0;    // icode::Inlined::mark; null: the block must be called
     int localBytes = 0;
+    bool operator==(const Code&) const = default;
   };
   struct Frame {
     int bytes = 0;  // from one to the next
@@ -65,6 +70,7 @@ struct Layout {
     int parameters = 0, parameterCount = 0;  // address of the list behind the call
     // Of the caller; `data` are both registers.
     int data = 0, ar2 = 0, relayActive = 0, relayDepth = 0, bracketDepth = 0;
+    bool operator==(const Frame&) const = default;
   };
   // Data blocks by number.
   struct DataBlocks {
@@ -72,6 +78,7 @@ struct Layout {
     int bytes = 0;              // from one to the next
     Open open{};                // in each: what a register gets; number 0: there is no such block
     std::uint32_t highest = 0;  // number
+    bool operator==(const DataBlocks&) const = default;
   };
   struct Frames {
     int top = 0, end = 0;               // address of the frame that runs, and behind it
@@ -90,12 +97,14 @@ struct Layout {
     Frame frame{};
     Code code{};
     DataBlocks dataBlocks{};
+    bool operator==(const Frames&) const = default;
   };
   std::optional<Frames> frames{};
   // Then `instance` stands directly behind `data`, and each is as long as this.
   static constexpr int kOpenBytes = 24;
 
   int offsetOf(icode::Item item) const { return items[static_cast<std::size_t>(item)]; }
+  bool operator==(const Layout&) const = default;
 };
 
 }  // namespace merker::jit

@@ -1,5 +1,7 @@
 #include "jit/native.h"
 
+#include "jit/ways.h"
+
 namespace merker::jit {
 
 namespace {
@@ -13,7 +15,7 @@ Enter asFunction(const void* code) {
 }  // namespace
 
 const void* NativeCode::run(void* state, std::size_t instruction) const {
-  return asFunction(at(enter_))(state, entries_[instruction]);
+  return asFunction(ways_->enter)(state, entries_[instruction]);
 }
 
 bool available() { return true; }

@@ -34,11 +34,11 @@ struct Options {
 
 class NativeCode {
  public:
-  NativeCode(CodeMemory::Piece memory, std::size_t size, std::size_t enter, std::size_t entrance,
-             std::vector<const void*> entries)
-      : memory_(std::move(memory)),
+  NativeCode(std::shared_ptr<const Ways> ways, CodeMemory::Piece memory, std::size_t size,
+             std::size_t entrance, std::vector<const void*> entries)
+      : ways_(std::move(ways)),
+        memory_(std::move(memory)),
         size_(size),
-        enter_(enter),
         entrance_(entrance),
         entries_(std::move(entries)) {}
 
@@ -52,14 +52,16 @@ class NativeCode {
   // the horizon is too near or the region needs what is not there. Clock and count of instructions
   // are exact.
   const void* run(void* state, std::size_t instruction) const;
-  std::size_t size() const { return size_; }  // bytes of machine code
+  // Bytes of machine code, without what all blocks have in common.
+  std::size_t size() const { return size_; }
 
  private:
   const std::uint8_t* at(std::size_t offset) const {
     return static_cast<const std::uint8_t*>(memory_.data()) + offset;
   }
+  std::shared_ptr<const Ways> ways_;
   CodeMemory::Piece memory_;
-  std::size_t size_, enter_, entrance_;
+  std::size_t size_, entrance_;
   std::vector<const void*> entries_;
 };
 

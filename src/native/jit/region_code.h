@@ -10,6 +10,7 @@
 #include "jit/blocks.h"
 #include "jit/native.h"
 #include "jit/places.h"
+#include "jit/ways.h"
 
 namespace merker::jit {
 
@@ -19,27 +20,13 @@ struct Unit {
   const Layout& layout;
   const Options& options;
   const Instructions& answers;
-  asmjit::Label epilogue;  // with the instruction to go on with in eax
-  // emit_calls.cpp
-  asmjit::Label enterBlock = code.newLabel(), enterWithout = code.newLabel(),
-                leaveBlock = code.newLabel(), canCallFunction = code.newLabel(),
-                canCallFunctionBlock = code.newLabel(), pushFrame = code.newLabel(),
-                pushKept = code.newLabel();
+  const Ways& ways;
+  asmjit::Label epilogue;                    // with the instruction to go on with in eax
   asmjit::Label entrance = code.newLabel();  // emit_links.cpp
   std::vector<asmjit::Label> regions{};      // by instruction; not valid where none begins
 };
 
-// Of a data block register; xmm0 and rcx are lost.
-void copyBlock(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
-               int fromAt);
 void swapBlocks(const Unit& unit);  // rax, too
-// Of both registers, which lie one behind the other.
-void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
-                int fromAt);
-
-// What calls and returns of a block have in common.
-void writeBlockChanges(const Unit& unit);
-
 // How a call comes into a block (blocks.h): rax: its Site.
 void writeEntrance(const Unit& unit);
 

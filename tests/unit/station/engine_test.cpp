@@ -37,6 +37,19 @@ TEST(Engine, ChangesWhileTheProgramRuns) {
   EXPECT_EQ(changing->instructions(), reference->instructions());
 }
 
+// What blocks have in common is written once: many small ones stay small.
+TEST(Engine, SmallBlocksHaveLittleMachineCode) {
+  std::string text;
+  for (int i = 1; i <= 50; ++i)
+    text +=
+        "FUNCTION FC " + std::to_string(i) +
+        " : VOID\nBEGIN\nNETWORK\n U E 0.0; U E 0.1; O M 1.0; = A 4.0; = M 1.0;\nEND_FUNCTION\n";
+  Plc plc(text + ob(1, "NOP 0;"));
+  if (!plc->setEngine(Engine::Compiled)) GTEST_SKIP() << "no compiler for this processor";
+  EXPECT_GT(plc->compiledBytes(), 0u);
+  EXPECT_LT(plc->compiledBytes(), 51 * 350u);
+}
+
 // OB 1 waits for FC 1 most of the time, which has its parameters in the code of OB 1.
 constexpr std::string_view kNested = R"(
 FUNCTION FC 1 : VOID
