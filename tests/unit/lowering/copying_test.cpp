@@ -180,5 +180,24 @@ TEST_F(Copies, ARegionAndABlockHaveLimits) {
   EXPECT_LT(copied, 100u);
 }
 
+// Twelve blocks that call each other come to more instructions than 32 bits count: to 45, by
+// overflow.
+TEST_F(Copies, MoreInstructionsThanAnyRegionHoldsAreNotCopied) {
+  constexpr std::size_t kCalls[] = {15, 27, 31, 36, 15, 22, 20, 18, 25, 38, 6};
+  fc(1, {kLoad, kLoad, kStore, kEnd});
+  Code calls{callOf(1)};
+  for (std::uint32_t i = 0; i < std::size(kCalls); ++i) {
+    Code body(kCalls[i], callOf(i + 1));
+    body.push_back(kEnd);
+    fc(i + 2, body);
+    calls.push_back(callOf(i + 2));
+  }
+  calls.push_back(kEnd);
+  for (const icode::Region& region : regionsOf(calls)) {
+    EXPECT_LE(region.instructions, kLongestRegion);
+    for (const icode::Inlined& block : region.inlined) EXPECT_LE(block.number, 2u);
+  }
+}
+
 }  // namespace
 }  // namespace merker::translate::copies
