@@ -1,13 +1,14 @@
 # One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
 # library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
 #   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [TENS] [FAST]
-#                 [PRECOMPILED <name>] [NOT_PRECOMPILED] [OPTIONS <compiler options...>])
+#                 [QUICK] [PRECOMPILED <name>] [NOT_PRECOMPILED] [OPTIONS <compiler options...>])
 # APART, SINGLE, TENS: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
-# by file, because GCC inlines less in a large unit. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones.
-# NOT_PRECOMPILED: the module has compiler options of its own.
+# by file, because GCC inlines less in a large unit. QUICK: no program waits for it, so it is built quickly, see
+# merker_quick_build. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones. NOT_PRECOMPILED: the module
+# has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE;TENS;FAST;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART;OPTIONS" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;TENS;FAST;QUICK;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART;OPTIONS" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -26,6 +27,10 @@ function(merker_module name)
   endforeach()
   if(M_SOURCES)
     merker_warnings(merker_${name})
+    if(M_QUICK AND CMAKE_BUILD_TYPE STREQUAL "Release")
+      list(APPEND M_OPTIONS ${merker_quick_build})
+      set(M_PRECOMPILED merker_common_quick)
+    endif()
     target_compile_options(merker_${name} PRIVATE ${M_OPTIONS})
     if(NOT M_NOT_PRECOMPILED)
       if(NOT M_PRECOMPILED)
@@ -61,8 +66,8 @@ option(MERKER_PRECOMPILED "compile the common headers once" ON)
 set(merker_common_headers <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <map> <memory> <optional> <set>
   <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>)
 
-# For what waits for people and sockets: JSON and command lines are large templates; at -Og they compile in half of the
-# time that they take at -O3, and what they do takes no time that anybody sees.
+# For what waits for people, files and sockets: readers of project files, JSON and command lines are large templates; at -Og
+# they compile in half of the time that they take at -O3, and what they do takes no time that anybody sees.
 set(merker_quick_build "$<$<CONFIG:Release>:-Og>")
 
 # merker_common(<name> [HEADERS <more headers...>] [OPTIONS <of its users...>]): an object library that holds the compiled
