@@ -86,6 +86,7 @@ test('the wizard makes a project of a SINUMERIK, with the keyboard alone', async
   await accessible(mill, 'wizard of STEP 5');
   assert.equal(await dialog.getByLabel('MPI-Adresse').count(), 0, 'it has no MPI');
   await dialog.getByRole('button', { name: 'Anlegen' }).press('Enter');
-  await message(mill, /Fräse angelegt/);
+  await message(mill, /Fräse angelegt\. Die PLC steht in STOP: .* dann RUN\./);
   await until(async () => (await mill.locator('.code .cm-content').innerText()).includes('NETZWERK 1'), 'the listing');
+  assert.equal(await mill.getByTitle(/älteren Stand/).count(), 0, 'the listing is in the PLC');
 });

@@ -118,7 +118,9 @@ Answer openFolder(const Call& call, Origin origin,
           now.shared.show(std::move(ready.lab), 0, example, std::move(ready.seen));
         else
           now.shared.show(std::move(ready.plc), example, std::move(ready.seen));
-        if (origin == Origin::New) now.shared.files.nothingLoaded();
+        // A SINUMERIK has what its listing says: single blocks are not loaded into it.
+        if (origin == Origin::New && now.shared.plc->can(monitor::Feature::Download))
+          now.shared.files.nothingLoaded();
         now.shared.remember(ready.folder);
         return empty();
       });

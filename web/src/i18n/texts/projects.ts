@@ -119,6 +119,10 @@ export const projects = {
     'Projekt {name} angelegt. Die CPU steht in STOP und ist leer: Bausteine schreiben, laden, dann RUN-P.',
     'Project {name} created. The CPU is in STOP and empty: write blocks, load them, then RUN-P.',
   ],
+  createdStep5: [
+    'Projekt {name} angelegt. Die PLC steht in STOP: Bausteine schreiben, laden, dann RUN.',
+    'Project {name} created. The PLC is in STOP: write blocks, load them, then RUN.',
+  ],
   below: ['Ordner unter {folder}', 'Folder below {folder}'],
   compare: ['Projekt und CPU', 'Project and CPU'],
   allSame: ['Projekt und CPU sind gleich.', 'Project and CPU are the same.'],
