@@ -91,6 +91,23 @@ test('one click takes a replacement back in all files', async () => {
   await expect(() => panel.getByRole('button', { name: 'Rückgängig' }).count(), 0);
 });
 
+test('other words are replaced only where they stand', async () => {
+  await field.fill('Slider small');
+  await panel.getByRole('button', { name: /^[1-9]\d* ersetzen$/ }).and(panel.locator(':enabled')).waitFor();
+  // Before the page looks for them; a click then waits for it.
+  const enabled = await field.evaluate(async (input) => {
+    input.value = 'Slider middle';
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    await Promise.resolve();
+    return [...input.closest('.bar').querySelectorAll('button')].some((one) => / ersetzen$/.test(one.textContent) && !one.disabled);
+  });
+  assert.equal(enabled, false, 'the places of the former words are still those to be replaced');
+  await panel.getByRole('button', { name: /^\d+ ersetzen$/ }).click();
+  await panel.getByText(/^[1-9]\d* Stellen in \d Dateien ersetzt/).waitFor();
+  await panel.getByRole('button', { name: 'Rückgängig' }).click();
+  await expect(() => page.locator('.dirty').count(), 0);
+});
+
 test('what is written about the project is replaced only if one says so', async () => {
   await field.fill('Slider small');
   const ticks = (file) => panel.locator(`tr[data-hit^="${file}"]`).getByRole('checkbox');
