@@ -187,3 +187,20 @@ test('assignment list, program structure, unused symbols', async () => {
     await roomy();
   }
 });
+
+test('the assignment list of an English page asks in English, also of a program of STEP 5', async () => {
+  for (const project of [server, await serve('step5/tool-changer')]) {
+    const english = await open(project, 'program', { language: 'en' });
+    const operand = english.getByLabel('Operand or symbol');
+    const first = english.locator('#program-panel tbody tr').first();
+    await english.getByRole('tab', { name: 'Reference data' }).click();
+    await english.getByRole('tab', { name: 'Assignment list' }).click();
+    await english.locator('tr[data-byte="AB 1"]').getByRole('button').click();
+    await expect(() => operand.inputValue(), 'QB 1');
+    await until(async () => /^QW? \d/.test(await first.innerText()), 'the bits of the byte');
+    await operand.fill('E 0.0');
+    await until(async () => /^I 0\.0/.test(await first.innerText()), 'what German letters mean');
+    await operand.fill('Q 1');
+    await until(async () => /^QW? \d/.test(await first.innerText()), 'a part of an operand');
+  }
+});

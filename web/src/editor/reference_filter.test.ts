@@ -21,3 +21,8 @@ test('a part of a symbol finds it, several words all have to be there', () => {
   expect(found('"slider small"')).toEqual(['A 1.0']);
   expect(found('valve')).toEqual([]);
 });
+
+test('a part of an operand is one of either language', () => {
+  expect(found('a slider')).toEqual(['A 1.0', 'A 1.1']);
+  expect(found('q 1.1')).toEqual(['A 1.1']);
+});

@@ -1,7 +1,7 @@
 import { language } from './language.svelte';
 
 export { language, type Language } from './language.svelte';
-export { operandText } from './operand';
+export { inEnglish, inGerman, operandText } from './operand';
 export { described, figure, said, told } from './said';
 
 /** German and English of one text. `{name}` stands for a value, `{name|one|many}` for the word that its number takes. */
