@@ -24,6 +24,14 @@ test('a slave that fails looks like it', async () => {
   await until(async () => (await bus.getByRole('button', { name: /gezogen/ }).count()) === 0, 'the slave is there again');
 });
 
+test('a device of a GSD file counts its modules from 1, its head is none of them', async () => {
+  const dp = await open(await serve('networks/profibus'), 'hardware');
+  const slave = dp.getByRole('group', { name: 'PROFIBUS-DP, Slave mit Adresse 4' });
+  await slave.getByRole('button', { name: /DP4\/2: / }).waitFor();
+  await slave.getByRole('button', { name: /DP4\/0: / }).click();
+  assert.equal(await slave.getByRole('button').count(), 5);
+});
+
 // What merker.toml names lies in the folder of the project, for the plan, too: a GSD file.
 test('a project with a GSD file is consistent', async () => {
   const other = await open(await serve('networks/profibus'), 'hardware?mode=plan');

@@ -20,6 +20,7 @@ struct Slave {
   std::uint8_t groups = 0;                // for SYNC and FREEZE: bit 0 is group 1
   bool sync = false, freeze = false;      // whether it knows the command
   std::uint32_t inputs = 0, outputs = 0;  // bytes of all its modules
+  std::uint32_t head = 0;                 // slot of its head; modules of a GSD file count from 1
   std::vector<Module> modules;            // without the head
   Position position;
   bool intelligent = false;  // another station of the project, with areas to transfer as modules
@@ -45,7 +46,7 @@ struct DpMaster {
 
 // Racks from this number on are slaves: so much more than their address.
 constexpr std::uint32_t kSlaveRack = 1000;
-// The slot of the head, as that of an interface module ET 200M.
+// The slot of the interface module of an ET 200M, in front of its modules; a station has the same.
 constexpr std::uint32_t kHeadSlot = 2;
 
 // The head has no order number: it is no module of the catalogue.

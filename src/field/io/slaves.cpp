@@ -78,7 +78,7 @@ Module headOf(const Slave& slave, const DpMaster& master) {
   head.own = headType(slave.model);
   head.type = head.own.get();
   head.rack = kSlaveRack + slave.address;
-  head.slot = kHeadSlot;
+  head.slot = slave.head;
   head.name = slave.name;
   head.position = slave.position;
   head.parameters = Parameters::of(*head.type);

@@ -88,6 +88,7 @@ bool readIntelligentSlave(const Table& table, const Network* network,
   result.own.self.address = slave.address;
   result.own.self.name = "X2";
   result.own.self.model = slave.model;
+  slave.head = result.own.self.head = io::kHeadSlot;
   result.own.self.position = slave.position;
   for (const Table& area : table.tables("modules")) readArea(area, slave, result.own);
   if (slave.modules.empty())

@@ -56,7 +56,7 @@ std::string slaveOfData(const io::Configuration& configuration,
   const auto data = std::ranges::find_if(configuration.modules, has);
   if (data == configuration.modules.end()) return {};
   const auto head = std::ranges::find_if(configuration.modules, [&](const io::Module& one) {
-    return one.rack == data->rack && one.slot == io::kHeadSlot;
+    return one.rack == data->rack && io::isHead(*one.type);
   });
   return head == configuration.modules.end() ? data->slotText() : head->name;
 }

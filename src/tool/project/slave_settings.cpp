@@ -58,6 +58,7 @@ class SlaveReader {
 
   void et200M() {
     slave_.model = kEt200M;
+    slave_.head = io::kHeadSlot;
     slave_.ident = kEt200MIdent;
     slave_.sync = slave_.freeze = true;
     std::uint32_t next = kFirstEt200MSlot;
