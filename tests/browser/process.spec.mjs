@@ -53,7 +53,7 @@ test('a box of each size goes into its bin', async () => {
 
 test('the plates have names and operands, and room for a finger, on a tablet as well', async () => {
   assert.match(await tag('BARRIER_LARGE').innerText(), /^Lichtschranke groß\s+E 0\.2\s+[01]$/);
-  const smallest = () => page.locator('[data-signal], [data-push]').evaluateAll((all) => Math.min(...all.map((one) => one.getBoundingClientRect().height)));
+  const smallest = () => page.locator('[data-signal], [data-push], .view-head button').evaluateAll((all) => Math.min(...all.map((one) => one.getBoundingClientRect().height)));
   for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
     await page.setViewportSize({ width, height });
     await until(async () => (await smallest()) >= 40, `40 px at ${width}`);
