@@ -258,5 +258,7 @@ for (const theme of ['light', 'dark'])
       await card('Cell5', small).waitFor();
       await accessible(small);
       assert.deepEqual(await crowding(small), []);
+      const rows = await small.locator('tbody tr').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
+      assert.ok(rows.every((height) => height >= 22 && height <= 26), `dense rows: ${rows}`);
       if (theme === 'light' && width === 1280) await picture(small, 'stations-light');
     });
