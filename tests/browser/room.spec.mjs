@@ -200,11 +200,30 @@ test('nothing in the bar of the text is cut off on a tablet; held upright it has
   await page.setViewportSize({ width: 768, height: 1024 });
   const lines = () => page.locator('.panel [role=tab]').evaluateAll((tabs) => new Set(tabs.map((tab) => tab.offsetTop)).size);
   await expect(lines, 1);
-  await edge('Breite der Liste').dblclick();
   await expect(async () => (await height('.work .bar')) <= 76, true, 'two lines');
   await expect(cut, 0, 'choices that are cut off at 768');
   await roomy();
   await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test('on a tablet held upright the list stands above the text, which has the whole width', async () => {
+  await page.setViewportSize({ width: 768, height: 1024 });
+  const wide = () => page.locator('.code').evaluate((code) => code.getBoundingClientRect().width);
+  await until(async () => (await wide()) >= 740, 'the width of the page');
+  const list = await page.locator('.side').boundingBox();
+  assert.ok(list.y + list.height <= (await top()), 'the list is above the text');
+  await page.getByRole('tree').getByRole('treeitem').nth(2).waitFor();
+  await edge('Höhe der Liste').press('End');
+  await expect(() => page.locator('.side').evaluate((side) => side.offsetHeight), 480);
+  await edge('Höhe der Liste').dblclick();
+  await accessible(page, 'list above the text');
+  await roomy();
+  const seen = await lines();
+  await button('Liste der Bausteine und Dateien').click();
+  await until(async () => (await lines()) >= seen + 8, 'the room of the list');
+  await button('Liste der Bausteine und Dateien').click();
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await edge('Breite der Liste').waitFor();
 });
 
 test('HALT leaves the text where it is', async () => {

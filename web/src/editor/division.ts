@@ -10,6 +10,8 @@ interface Range {
 
 export const ranges = {
   side: { least: 140, most: 480, otherwise: 232 },
+  /** Where the list stands above the text. */
+  sideHeight: { least: 120, most: 480, otherwise: 220 },
   declarations: { least: 64, most: 400, otherwise: 132 },
 } satisfies Record<string, Range>;
 
@@ -25,6 +27,7 @@ export const drawerRanges: Record<Panel, Range> = {
 
 export const division = {
   side: kept('program.sideWidth', ranges.side.otherwise),
+  sideHeight: kept('program.sideHeight', ranges.sideHeight.otherwise),
   sideShown: kept('program.side', true),
   declarations: kept('program.declarationsHeight', ranges.declarations.otherwise),
   drawer: kept<Partial<Record<Panel, number>>>('program.drawerHeights', {}),

@@ -79,6 +79,7 @@ export const program = {
   statusNotRunning: ['Der Baustein wird nicht bearbeitet.', 'The block is not being processed.'],
   sideList: ['Liste der Bausteine und Dateien', 'List of blocks and files'],
   sideWidth: ['Breite der Liste der Bausteine', 'Width of the list of blocks'],
+  sideHeight: ['Höhe der Liste der Bausteine', 'Height of the list of blocks'],
   declarationsHeight: ['Höhe der Deklaration', 'Height of the declarations'],
   drawer: ['Meldungen und Ergebnisse', 'Problems and results'],
   drawerHeight: ['Höhe der Meldungen und Ergebnisse', 'Height of problems and results'],
