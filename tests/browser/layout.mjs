@@ -54,3 +54,20 @@ export const crowding = (page) =>
     for (const { one, rect } of boxes(`${TOUCHED}, th, td`)) if (rect.right > innerWidth + 1 || rect.left < -1) found.push(`${said(one)} is beyond the edge`);
     return found;
   });
+
+/** What a finger needs (WCAG 2.5.5 has 44 px; docs/workbench.md 40 px); a line of a table has its edge in it. */
+const FINGER = 39;
+
+/** What is pressed in the view and lower than a finger needs; a box to be ticked is pressed with its label.
+ *  Edges that are moved have their own room (Splitter.svelte), the text of a program is none. */
+export const low = (page) =>
+  page.evaluate((finger) => {
+    const PRESSED = 'button, input, select, textarea, a[href], [role="tab"], [role="switch"], [role="treeitem"]';
+    const shown = (one) =>
+      one.checkVisibility({ visibilityProperty: true }) && !one.closest('.visually-hidden, .skip, .cm-editor') && one.getBoundingClientRect().width > 1;
+    return [...document.querySelectorAll(PRESSED)].filter(shown).flatMap((one) => {
+      const { height } = (one.closest('label') ?? one).getBoundingClientRect();
+      const said = (one.getAttribute('aria-label') ?? one.textContent).trim().slice(0, 40);
+      return height < finger ? [`<${one.tagName.toLowerCase()} class="${one.className?.baseVal ?? one.className}" in ${one.parentElement.className || one.parentElement.tagName}> ${said}: ${Math.round(height)} px`] : [];
+    });
+  }, FINGER);

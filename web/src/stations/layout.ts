@@ -1,8 +1,9 @@
 // Where stations and the lines of their subnets lie in the picture: rows of cards, below each row the lines.
 
-export const CARD = { width: 206, height: 148 };
+const WIDTH = 206;
 const GAP = 18;
-const LINE = 36;
+/** The height of a card, and from one line to the next: what is pressed there needs it. */
+const SIZES = { dense: { card: 148, line: 36 }, finger: { card: 172, line: 44 } };
 const LABELS = 118;
 const ROW_GAP = 22;
 
@@ -33,6 +34,7 @@ export interface Line {
 }
 
 export interface Layout {
+  card: { width: number; height: number };
   width: number;
   height: number;
   places: Place[];
@@ -41,22 +43,23 @@ export interface Layout {
   trunks: { subnet: number; x: number; top: number; bottom: number }[];
 }
 
-export function layOut(network: Planned, width: number): Layout {
-  const columns = Math.max(1, Math.floor((width - LABELS) / (CARD.width + GAP)));
-  const rowHeight = CARD.height + LINE * network.subnets.length + ROW_GAP;
+export function layOut(network: Planned, width: number, finger = false): Layout {
+  const { card, line } = SIZES[finger ? 'finger' : 'dense'];
+  const columns = Math.max(1, Math.floor((width - LABELS) / (WIDTH + GAP)));
+  const rowHeight = card + line * network.subnets.length + ROW_GAP;
   const rows = Math.ceil(network.stations.length / columns);
-  const lineY = (row: number, subnet: number) => row * rowHeight + CARD.height + LINE * (subnet + 1);
+  const lineY = (row: number, subnet: number) => row * rowHeight + card + line * (subnet + 1);
   const nodes = network.subnets.map((subnet) => new Map(subnet.nodes.map((node) => [node.station, node.address])));
   const places = network.stations.map(({ name }, index): Place => {
     const row = Math.floor(index / columns);
-    const x = LABELS + (index % columns) * (CARD.width + GAP);
+    const x = LABELS + (index % columns) * (WIDTH + GAP);
     const y = row * rowHeight;
     const mine = network.subnets.map((_, subnet) => subnet).filter((subnet) => nodes[subnet]!.has(name));
     const stubs = mine.map((subnet, order) => ({
       subnet,
       address: nodes[subnet]!.get(name)!,
       x: x + 28 + order * 44,
-      top: y + CARD.height,
+      top: y + card,
       bottom: lineY(row, subnet),
     }));
     return { x, y, stubs };
@@ -70,7 +73,7 @@ export function layOut(network: Planned, width: number): Layout {
       .map(({ some, row }) => ({
         subnet,
         x1: trunkX(subnet),
-        x2: (some.at(-1)?.x ?? LABELS) + CARD.width,
+        x2: (some.at(-1)?.x ?? LABELS) + WIDTH,
         y: lineY(row, subnet),
       })),
   );
@@ -79,7 +82,8 @@ export function layOut(network: Planned, width: number): Layout {
     .filter(({ mine }) => mine.length > 1)
     .map(({ subnet, mine }) => ({ subnet, x: trunkX(subnet), top: mine[0]!.y, bottom: mine.at(-1)!.y }));
   return {
-    width: LABELS + Math.min(columns, Math.max(network.stations.length, 1)) * (CARD.width + GAP),
+    card: { width: WIDTH, height: card },
+    width: LABELS + Math.min(columns, Math.max(network.stations.length, 1)) * (WIDTH + GAP),
     height: Math.max(rows, 1) * rowHeight,
     places,
     lines,

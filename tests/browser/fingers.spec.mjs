@@ -1,0 +1,32 @@
+// Rows for use with a finger: what is pressed has the 40 px of docs/workbench.md, in all views, and still finds its room.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { open, serve, until, visit } from './harness.mjs';
+import { crowding, low } from './layout.mjs';
+
+const PROJECTS = {
+  'sorting-plant': ['projects', 'hardware', 'hardware?mode=plan', 'symbols', 'program?file=sorting.awl', 'io', 'variables', 'process', 'trends', 'diagnosis', 'pictures', 'compare'],
+  'networks/production-line': ['stations'],
+  'technology/barcode-scanner': ['process', 'serial'],
+  'step5/machine-values': ['nc'],
+};
+/** As large as it is: it scrolls. */
+const WIDE = ['hardware'];
+
+for (const [project, views] of Object.entries(PROJECTS))
+  test(`${project}: room for a finger on a tablet held upright`, async () => {
+    const server = await serve(project);
+    const page = await open(server, views[0], { width: 768, height: 1024 });
+    await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));
+    await page.reload();
+    for (const view of views) {
+      await visit(page, server, view);
+      await page.locator(`nav a[href="#/${view.split('?')[0]}"][aria-current]`).waitFor();
+      await page.locator('main h1').first().waitFor();
+      let found;
+      await until(async () => (found = [...(await low(page)), ...(WIDE.includes(view) ? [] : await crowding(page))]).length === 0, () => `${view}:\n${found.join('\n')}`);
+      await accessible(page, `${view} for fingers`);
+    }
+  });
+
