@@ -138,6 +138,23 @@ test('after a reload the dots and the problems are those of all drafts', async (
   await visit(page, server, 'program?file=sorting.awl');
 });
 
+test('a replacement is taken back after a reload', async () => {
+  const before = await text(page);
+  await page.keyboard.press('Control+Shift+F');
+  await field.fill('Slider small');
+  await panel.getByLabel('Ersetzen durch').fill('Gone');
+  await panel.getByLabel('Vorschau').check();
+  await panel.getByRole('button', { name: /^[1-9]\d* ersetzen$/ }).click();
+  await until(async () => (await text(page)) !== before, 'the other words');
+  const dirty = await page.locator('.dirty').count();
+  await page.reload();
+  await expect(() => page.locator('.dirty').count(), dirty);
+  await page.keyboard.press('Control+Shift+F');
+  await panel.getByRole('button', { name: 'Rückgängig' }).click();
+  await expect(() => page.locator('.dirty').count(), 0);
+  assert.equal(await text(page), before);
+});
+
 test('the values of the operands follow the cursor, and are modified beside the program', async () => {
   const watched = () => panel.locator('tr[data-nearby]').evaluateAll((rows) => rows.map((one) => one.dataset.nearby).join(' '));
   const lineOf = async (words) => (await text(page)).split('\n').findIndex((one) => one.includes(words)) + 1;

@@ -1,14 +1,4 @@
-/** A text before and after a replacement. */
-export interface Change {
-  file: string;
-  before: string;
-  after: string;
-}
-export interface Replaced {
-  folder: string;
-  count: number;
-  changes: Change[];
-}
+import { keep, keptReplaced, type Replaced } from './replaced';
 
 /** What is being looked for; it outlives the view. */
 class Searching {
@@ -19,7 +9,15 @@ class Searching {
   preview = $state(false);
   /** Somebody asked for it: its field is to get the focus. */
   wanted = $state(false);
-  /** What was replaced last: one click takes all of it back. */
-  replaced = $state.raw<Replaced | null>(null);
+  private last = $state.raw<Replaced | null>(keptReplaced(sessionStorage));
+
+  /** What was replaced last: one click takes all of it back, also after a reload. */
+  get replaced(): Replaced | null {
+    return this.last;
+  }
+  set replaced(replaced: Replaced | null) {
+    this.last = replaced;
+    keep(sessionStorage, replaced);
+  }
 }
 export const searching = new Searching();
