@@ -6,8 +6,25 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { statusOf, toLine } from './editor.mjs';
-import { launch, open, serve, turn, until, visit } from './harness.mjs';
+import { launch, open, serve, turn, until, visit, write } from './harness.mjs';
 
+/** The same, as soon as somebody writes into MW 20. */
+const COUNTING = `FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+      L     7;
+      L     MW 20;
+      BTI   ;
+      T     MW 30;
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     3;
+      L     4;
+      CALL  FC 1;
+END_ORGANIZATION_BLOCK
+`;
 /** FC 1 stops the CPU in line 8: BTI of what is no BCD number. */
 const FAULTY = `FUNCTION FC 1 : VOID
 VAR_TEMP
@@ -139,4 +156,26 @@ test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {
   await accessible(fault, 'stacks');
   await blocks.first().getByRole('link').click();
   await until(() => /line=8/.test(fault.url()), 'the line');
+});
+
+test('the status of the run that a fault ended stays, also for who leaves the block and comes back', async () => {
+  const folder = join(server.workspace, 'counting');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[project]\nname = "Counting"\n');
+  writeFileSync(join(folder, 'main.awl'), COUNTING);
+  const counting = await launch(folder, server.workspace);
+  const look = await open(counting, 'program?file=main.awl&line=4');
+  await turn(look, 'RUN-P');
+  await look.getByRole('switch', { name: 'Status' }).click();
+  await until(async () => (await statusOf(look, 5)).includes('00000000'), 'the status');
+  await write(look, { 'MW 20': 'W#16#FFFF' });
+  await look.locator('[data-mode="STOP"]').waitFor();
+  const ended = async () => (await statusOf(look, 4)).includes('00000007') && (await statusOf(look, 5)).includes('0000FFFF');
+  await until(ended, 'the values of the last run');
+  await toLine(look, 13);
+  await until(async () => !(await ended()), 'the status of another block');
+  await toLine(look, 4);
+  await until(ended, 'the values of the last run again');
+  await look.reload();
+  await until(ended, 'the values of the last run after a reload');
 });

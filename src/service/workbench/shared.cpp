@@ -212,18 +212,26 @@ void addStatus(Plc& plc, BlockId block) {
 
 }  // namespace
 
+// In STOP the status of the run that ended is all there will be: who comes back to it finds it.
+bool Shared::isWanted(BlockId block) const {
+  if (std::ranges::any_of(wantedStatus, [block](const auto& one) { return one.second == block; }))
+    return true;
+  return statusRests_ && plc->monitor().debugger().status(block)->calls() > 0;
+}
+
 void Shared::placeProbes() {
-  if (!probesWait || !plc) return;
+  if (!plc) return;
+  const bool stopped = plc->controller().mode() == controller::Mode::Stop;
+  if (statusRests_ && !stopped) probesWait = true;  // what nobody looks at costs nothing again
+  if (!probesWait) return;
   if (plc->monitor().downloadWaits())
     return placed_.keep(plc->monitor().debugger(), folder, breakpoints);
   probesWait = false;
   monitor::Debugger& debugger = plc->monitor().debugger();
   const bool same = placedProgram_ == programRevision;
+  statusRests_ = stopped;
   // While time stands, what was recorded is all there is.
-  debugger.keepStatus([&](BlockId block) {
-    return same && std::ranges::any_of(wantedStatus,
-                                       [block](const auto& one) { return one.second == block; });
-  });
+  debugger.keepStatus([&](BlockId block) { return same && isWanted(block); });
   for (const auto& [browser, block] : wantedStatus) addStatus(*plc, block);
   if (same && placed_.are(breakpoints)) return;
   placed_.place(plc->monitor(), folder, breakpoints);

@@ -118,6 +118,7 @@ struct Shared {
   OfflineRef offline_;
   void dropWorks();
   void leave();
+  bool isWanted(BlockId block) const;  // its status
   void exchange(std::shared_ptr<Plc> fresh);
 
   std::optional<station::Engine> engine_;  // of the PLC before
@@ -125,7 +126,8 @@ struct Shared {
   Instant worksLatest_;
   Job offlineJob_;
   std::uint64_t looks_ = 0, taken_ = 0, lookNumber_ = 0;
-  PageBreakpoints placed_;  // in the CPU, of this program
+  PageBreakpoints placed_;    // in the CPU, of this program
+  bool statusRests_ = false;  // of the run that ended, in STOP
   std::uint64_t placedProgram_ = 0;
   ProgramRef seenProgram_;
   std::uint64_t seenRevision_ = 0;  // of `programRevision`
