@@ -8,7 +8,21 @@ import { text } from './editor.mjs';
 import { expect, launch, message, open, scratch, turn, until, visit, write } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
-const PROGRAM = `FUNCTION_BLOCK FB 1
+const PROGRAM = `TYPE "Drive"
+  STRUCT
+    Speed : REAL ;
+    Ramp : STRUCT
+      Up : TIME ;
+    END_STRUCT ;
+  END_STRUCT ;
+END_TYPE
+TYPE UDT 2
+  STRUCT
+    Left : "Drive" ;
+    Axes : ARRAY [1..2] OF "Drive" ;
+  END_STRUCT ;
+END_TYPE
+FUNCTION_BLOCK FB 1
 VAR_INPUT
   Start : BOOL ;
 END_VAR
@@ -32,6 +46,12 @@ DATA_BLOCK DB 2
   END_STRUCT ;
 BEGIN
 END_DATA_BLOCK
+DATA_BLOCK DB 3
+  STRUCT
+    Machine : UDT 2 ;
+  END_STRUCT ;
+BEGIN
+END_DATA_BLOCK
 ORGANIZATION_BLOCK OB 1
 BEGIN
 NETWORK
@@ -45,6 +65,7 @@ const project = join(workspace, 'data');
 mkdirSync(project);
 writeFileSync(join(project, 'merker.toml'), '[project]\nname = "Data"\n');
 writeFileSync(join(project, 'main.awl'), PROGRAM);
+writeFileSync(join(project, 'main.sym'), 'Drive  UDT 1  UDT 1  // of an axis\n');
 const server = await launch(project, workspace);
 const page = await open(server, 'program');
 const row = (path) => page.locator(`tr[data-path='${path}']`);
@@ -112,6 +133,26 @@ test('an instance shows what its parameters are; the source comes back', async (
   const edge = await page.locator('.data .frame').boundingBox();
   const field = await row('When').getByRole('textbox').boundingBox();
   assert.ok(field.x + field.width <= edge.x + edge.width, 'a date leaves the field beside it in sight');
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await page.locator('.code').waitFor();
+});
+
+test('a structure of a data type is named as it, in the project and in the CPU', async () => {
+  const type = (path) => row(path).locator('td').nth(2).innerText();
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  for (const side of ['Offline', 'Online']) {
+    await page.getByRole('tab', { name: side }).click();
+    await block('DB 3').click();
+    for (const path of ['Machine', 'Machine.Left', 'Machine.Axes', 'Machine.Axes[2]'])
+      if ((await folded(path).getAttribute('aria-expanded')) === 'false') await folded(path).press('Enter');
+    await expect(() => type('Machine'), 'UDT 2');
+    await expect(() => type('Machine.Left'), '"Drive"');
+    await expect(() => type('Machine.Axes'), 'ARRAY[1..2] OF "Drive"');
+    await expect(() => type('Machine.Axes[2]'), '"Drive"');
+    await expect(() => type('Machine.Axes[2].Ramp'), 'STRUCT');
+  }
+  await page.getByRole('tab', { name: 'Offline' }).click();
+  await block('DB 3').click();
   await page.getByRole('button', { name: 'Datensicht' }).click();
   await page.locator('.code').waitFor();
 });

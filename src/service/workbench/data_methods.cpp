@@ -4,6 +4,7 @@
 #include "cpu/cpu.h"
 #include "monitor/assignment_list.h"
 #include "monitor/data_rows.h"
+#include "monitor/data_structures.h"
 #include "workbench/elsewhere.h"
 #include "workbench/program_rows.h"
 #include "workbench/symbol_rows.h"
@@ -59,7 +60,15 @@ Json answerOf(const monitor::BlockCode& code, monitor::DataValues data,
           {"file", folder.relative(code.file())},
           {"assignments", ""},
           {"rows", std::move(rows)},
-          {"more", data.more}};
+          {"more", data.more},
+          {"structures", Json::array()}};
+}
+
+Json structuresOf(const block::Block& block, const source::SymbolTable& symbols) {
+  Json list = Json::array();
+  for (auto& [path, type] : monitor::dataStructures(block, symbols))
+    list.push_back({{"path", std::move(path)}, {"type", std::move(type)}});
+  return list;
 }
 
 // What BEGIN has to say so that the block begins with these values.
@@ -69,7 +78,8 @@ std::string assignmentsOf(const block::Block& block, std::span<const std::uint8_
   return awl::assignments(declared, actual);
 }
 
-Answer shown(const monitor::BlockCode& code, const NowBytes& now, const ProjectFolder& folder) {
+Answer shown(const monitor::BlockCode& code, const NowBytes& now,
+             const source::SymbolTable& symbols, const ProjectFolder& folder) {
   if (code.id().kind != BlockKind::DB)
     return refused(ProblemCode::P1308, toString(code.id()), "it is no data block");
   if (code.s7() == nullptr) return answerOf(code, monitor::dataValues(*code.s5()), folder);
@@ -78,6 +88,7 @@ Answer shown(const monitor::BlockCode& code, const NowBytes& now, const ProjectF
   const std::span<const std::uint8_t> actual = same ? *now : block.actualData;
   Json answer = answerOf(code, monitor::dataValues(block, actual), folder);
   answer["assignments"] = assignmentsOf(block, actual);
+  answer["structures"] = structuresOf(block, symbols);
   if (block.instanceOf >= 0)
     answer["instanceOf"] =
         fmt::format("{} {}", block.instanceOfSystemBlock ? "SFB" : "FB", block.instanceOf);
@@ -109,9 +120,10 @@ Answer show(const Call& call) {
       now = bytesNow(call, *id);
   return elsewhere(call, call.shared.clerk, [=](const Aside& aside) -> Answer {
     const monitor::ProgramCode program = sides.code(cpu);
-    const auto id = monitor::findBlock(name, {program, sides.of(cpu).project.symbols, {}});
+    const source::SymbolTable& symbols = sides.of(cpu).project.symbols;
+    const auto id = monitor::findBlock(name, {program, symbols, {}});
     if (!id) return one(id.error());
-    return shown(*program.find(*id), now, aside.folder);
+    return shown(*program.find(*id), now, symbols, aside.folder);
   });
 }
 

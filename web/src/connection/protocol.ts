@@ -39,6 +39,8 @@ export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number,
 export interface MachineCodeRow { offset: number; code: string; text: string; line: number; initial: string; value: string }
 /** a variable of a data block: `operand` and `format` for `watch.set` and `variables.write`; `address` is like "4.3", of STEP 5 a word; `path` like "Setpoint[2].Speed"; `section` "IN", "OUT", "IN_OUT" or "STAT" of an instance */
 export interface DataRow { operand: string; format: string; address: string; path: string; type: string; section: string; initial: string; actual: string; comment: string }
+/** a structure that is a data type or an instance: `path` like "Line.Motors[]", of an array its element, whatever its index; `type` is the symbol in quotes, without one like "UDT 1" */
+export interface DataStructure { path: string; type: string }
 /** `code`: the machine code as instructions; `checksum`: of a block of STEP 7 with its interface, else empty; `source`: from its keyword to its END_, empty for a block without one */
 export interface BlockText { id: string; code: string; checksum: string; source: string }
 /** `bits`: which of its bits are used as bits */
@@ -183,7 +185,7 @@ export interface Requests {
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
   'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
   /** the variables of a data block: the first 20,000, and how many more. Actual values of the project, or with `online` those that the CPU has now. `assignments`: what BEGIN says of them; P1308 for a block without data */
-  'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; rows: DataRow[]; more: number } };
+  'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; rows: DataRow[]; more: number; structures: DataStructure[] } };
   /** the assignment list; symbols that nothing uses, operands that have none */
   'program.assignments': { fields: Record<string, never>; result: { bytes: AssignedByte[]; timers: number[]; counters: number[]; unused: SymbolRow[]; withoutSymbol: string[] } };
   /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. Elements have the names of `mnemonics`, those of the text; reasons and sentences are in `language`. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */

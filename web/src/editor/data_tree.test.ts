@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { DataRow } from '../connection/protocol';
-import { arrayTypes, dataTree, groupsOf, partsOf } from './data_tree';
+import { arrayTypes, dataTree, groupsOf, partsOf, structureTypes } from './data_tree';
 
 const row = (path: string, address: string): DataRow => ({
   operand: `DB2.${path}`,
@@ -61,4 +61,13 @@ test('an array says its bounds and what it is of, as far as the rows go', () => 
     ['grid', 'ARRAY[1..2, 0..1] OF INT'],
   ]);
   expect([...arrayTypes(more, false).keys()]).toEqual(['list']);
+});
+
+test('a structure is its data type, also as the element of an array', () => {
+  const type = structureTypes([
+    { path: 'list[]', type: '"Motor"' },
+    { path: 'list[].drive', type: 'UDT 2' },
+  ]);
+  expect(['list[1]', 'list[1].drive', 'list', 'other'].map(type)).toEqual(['"Motor"', 'UDT 2', 'STRUCT', 'STRUCT']);
+  expect([...arrayTypes(rows, true, type)]).toEqual([['list', 'ARRAY[1..2] OF "Motor"']]);
 });

@@ -1,5 +1,5 @@
 // The variables of a data block as a tree: structures and arrays hold theirs, folded until somebody looks into them.
-import type { DataRow } from '../connection/protocol';
+import type { DataRow, DataStructure } from '../connection/protocol';
 
 export interface DataNode {
   /** The path of the variable, or as much of it as names the structure. */
@@ -66,8 +66,18 @@ function bounds(first: string, last: string): string {
   return from!.map((low, at) => `${low.trim()}..${to![at]!.trim()}`).join(', ');
 }
 
+/** What a structure is: a data type or an instance, by the path with the indices left out; else STRUCT. */
+export function structureTypes(structures: readonly DataStructure[]): (key: string) => string {
+  const types = new Map(structures.map(({ path, type }) => [path, type]));
+  return (key) => types.get(key.replace(/\[[^\]]*\]/g, '[]')) ?? 'STRUCT';
+}
+
 /** What arrays are, by their paths, as far as the rows tell; of one that is cut off nobody knows the end. */
-export function arrayTypes(rows: readonly DataRow[], complete: boolean): Map<string, string> {
+export function arrayTypes(
+  rows: readonly DataRow[],
+  complete: boolean,
+  structure: (key: string) => string = () => 'STRUCT',
+): Map<string, string> {
   const ends = new Map<string, { first: string; last: string; of: string }>();
   for (const row of rows) {
     const parts = partsOf(row.path);
@@ -76,7 +86,8 @@ export function arrayTypes(rows: readonly DataRow[], complete: boolean): Map<str
       if (!array || !name.startsWith('[')) continue;
       const known = ends.get(array);
       if (known) known.last = name;
-      else ends.set(array, { first: name, last: name, of: at === parts.length - 1 ? row.type : 'STRUCT' });
+      else
+        ends.set(array, { first: name, last: name, of: at === parts.length - 1 ? row.type : structure(`${array}[]`) });
     }
   }
   const cut = complete ? '' : (rows.at(-1)?.path ?? '');
