@@ -30,3 +30,17 @@ for (const [project, views] of Object.entries(PROJECTS))
     }
   });
 
+
+test('the front plate unfolded, search and references as well', async () => {
+  const page = await open(await serve(), 'program?file=sorting.awl', { width: 768, height: 1024 });
+  await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));
+  await page.reload();
+  await page.getByRole('button', { name: 'Frontplatte der CPU' }).click();
+  await page.getByRole('radio', { name: 'STOP' }).waitFor();
+  for (const tab of ['Suchen', 'Referenzdaten']) {
+    await page.getByRole('tab', { name: tab }).click();
+    await page.locator('#program-panel').getByRole('searchbox').first().waitFor();
+    let found;
+    await until(async () => (found = [...(await low(page)), ...(await crowding(page))]).length === 0, () => `${tab}:\n${found.join('\n')}`);
+  }
+});
