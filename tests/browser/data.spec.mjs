@@ -120,7 +120,8 @@ test('actual values become those that the block begins with', async () => {
   await page.getByRole('button', { name: 'Aktualwerte übernehmen' }).press('Enter');
   await message(page, /DB 2: 3 Aktualwerte/);
   await until(async () => /BEGIN\n\s+Recipe\.Step\[2\] := -5;\n\s+Recipe\.Step\[3\] := 6;\n\s+Recipe\.Step\[4\] := 77;\nEND_DATA_BLOCK/.test(await text(page)), 'BEGIN');
-  await page.getByRole('button', { name: 'Speichern', exact: true }).click();
+  // The keyboard is still at the button of the data view.
+  await page.keyboard.press('Control+s');
   await until(() => readFileSync(join(project, 'main.awl'), 'utf-8').includes('Recipe.Step[2] := -5;'), 'the file');
 });
 

@@ -1,7 +1,9 @@
 // The whole page by keyboard alone: no pointer is used here.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { bit, expect, leave, open, serve, until } from './harness.mjs';
+import { bit, expect, leave, message, open, quiet, serve, until } from './harness.mjs';
 
 const server = await serve('06-first-program');
 const page = await open(server, 'projects');
@@ -137,6 +139,24 @@ test('F6 goes round the panes of the program, Esc and Tab lead out of the text',
   await page.keyboard.press('Escape');
   await page.keyboard.press('Tab');
   await until(async () => (await pane()) !== 'text', 'out of the text');
+});
+
+test('Ctrl S saves and Ctrl L loads from every pane of the program', async () => {
+  const unsaved = page.getByText('nicht gespeichert').first();
+  for (const [index, wanted] of ['drawer', 'list', 'bar'].entries()) {
+    await toPane('text');
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.insertText(`// ${index}\n`);
+    await unsaved.waitFor({ state: 'attached' });
+    await toPane(wanted);
+    await page.keyboard.press('Control+s');
+    await unsaved.waitFor({ state: 'detached' });
+    assert.ok(readFileSync(join(server.project, 'first.awl'), 'utf-8').includes(`// ${index}\n`), `saved from the ${wanted}`);
+    await quiet(page);
+    await toPane(wanted);
+    await page.keyboard.press('Control+l');
+    await message(page, 'Programm geladen');
+  }
 });
 
 test('a message lies over the view, and is closed by keys', async () => {
