@@ -15,6 +15,8 @@ export interface NetworkViewProps {
   /** null: no status is shown. */
   rows: readonly StatusRow[] | null;
   halt: number | null;
+  /** The line of the statement that stopped the CPU. */
+  failed: number | null;
   points: readonly number[];
   ongoto: (line: number) => void;
   ontext: (line: number) => void;
