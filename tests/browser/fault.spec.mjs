@@ -50,3 +50,18 @@ test('the failing statement of a network that stays AWL is marked as in the text
   }
   await accessible(page, 'a fault in the ladder');
 });
+
+test('mode and reason stand beside each other in the head of an upright tablet', async () => {
+  for (const [width, height] of [[768, 1024], [800, 1280], [820, 1180]]) {
+    await page.setViewportSize({ width, height });
+    const mode = page.locator('aside [data-mode="STOP"]');
+    const ends = await mode.evaluate((one) => {
+      const range = document.createRange();
+      range.selectNodeContents(one);
+      return range.getBoundingClientRect().right;
+    });
+    const reason = await page.locator('aside').getByRole('link', { name: /STOP/ }).boundingBox();
+    assert.ok(ends <= reason.x, `${width}: the mode ends at ${ends}, the reason begins at ${reason.x}`);
+    assert.ok(reason.width > 60, `${width}: ${reason.width} px of the reason`);
+  }
+});
