@@ -67,6 +67,34 @@ test('two projects: the sources of a block, from difference to difference with t
   await until(async () => (await page.locator('.comparison').evaluate((one) => one.querySelector('.texts').shadowRoot.textContent)).includes('FP '), 'the code');
 });
 
+test('what differs at the end of a long line comes into sight, and the sides scroll together', async () => {
+  const long = `// ${'a word and another one '.repeat(6)}`;
+  change(project, 'sorting.awl', ['      FN    #Edge;', `      FN    #Edge; ${long}50`]);
+  change(other, 'sorting.awl', ['      FP    #Edge;', `      FN    #Edge; ${long}70`]);
+  await page.getByRole('switch', { name: 'Maschinencode' }).press('Space');
+  await page.getByLabel('Rechts').selectOption('CPU');
+  await page.getByLabel('Rechts').selectOption('plant 2');
+  await page.setViewportSize({ width: 768, height: 1024 });
+  await blocks.filter({ hasText: 'FB 1' }).press('Enter');
+  const sides = () => page.locator('.comparison .texts').evaluate((host) => [...host.shadowRoot.querySelectorAll('.cm-scroller')].map((one) => {
+    const { left, right } = one.getBoundingClientRect();
+    const marks = [...one.querySelectorAll('.cm-changedText')].map((mark) => ({ text: mark.textContent, ...mark.getBoundingClientRect().toJSON() }));
+    return { at: one.scrollLeft, seen: marks.some((mark) => /[57]/.test(mark.text) && mark.left >= left && mark.right <= right) };
+  }));
+  const step = async () => {
+    const before = await status();
+    await page.keyboard.press('F7');
+    await until(async () => (await status()) !== before, 'the next one');
+  };
+  const last = () => status().then((words) => /^Unterschied (\d+) von \1$/.test(words));
+  while (!(await last())) await step();
+  let seen;
+  await until(async () => (seen = await sides()).every((one) => one.seen), () => `the number in sight: ${JSON.stringify(seen)}`);
+  await page.locator('.comparison .texts').evaluate((host) => (host.shadowRoot.querySelectorAll('.cm-scroller')[1].scrollLeft = 40));
+  await expect(async () => (await sides()).map(({ at }) => at).join(), '40,40', 'both sides');
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 test('symbols and hardware row by row; the sides are swapped', async () => {
   await page.getByRole('tab', { name: /^Symbole \(2\)/ }).click();
   await expect(async () => (await rows('Symbole').allInnerTexts()).map((one) => one.split('\t').slice(0, 2).join(': ').trim()).join(', '),
