@@ -75,8 +75,8 @@ export const help: Record<string, readonly Text[]> = {
   ],
   variables: [
     [
-      'Ein Bereich (MW 10..20), Zeilen einer Tabellenkalkulation und „Aus den Symbolen …“ füllen viele Zeilen auf einmal.',
-      'A range (MW 10..20), lines of a spreadsheet and “From the symbols …” fill many rows at once.',
+      'Ein Bereich (MW 10..20, E 0.0-E 0.7), Zeilen einer Tabellenkalkulation und „Aus den Symbolen …“ füllen viele Zeilen auf einmal.',
+      'A range (MW 10..20, I 0.0-I 0.7), lines of a spreadsheet and “From the symbols …” fill many rows at once.',
     ],
     [
       'Enter im Operanden geht zur nächsten Zeile, ↑ und ↓ zur vorigen und nächsten, Strg Ende zur letzten.',

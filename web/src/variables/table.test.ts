@@ -43,6 +43,15 @@ test('a range names each operand in it', () => {
   expect(rangeOf('t 1..3')).toEqual(['t 1', 't 2', 't 3']);
   expect(rangeOf('DB1.DBD 0..8')).toEqual(['DB1.DBD 0', 'DB1.DBD 4', 'DB1.DBD 8']);
   expect(rangeOf('DB1.DBX 0.0..0.1')).toEqual(['DB1.DBX 0.0', 'DB1.DBX 0.1']);
-  for (const none of ['MW 10', 'MW 10..8', 'MB 0..5000', 'E 0.0..3', 'E 0..3', '"a..b"'])
+  for (const none of ['MW 10', 'MW 10..8', 'MB 0..5000', 'E 0.0..3', 'E 0..3', '"a..b"', '"a"-"b"'])
     expect(rangeOf(none)).toEqual([]);
+});
+
+test('a range names its last operand in full, or is written with a hyphen', () => {
+  expect(rangeOf('MW 0..MW 4')).toEqual(['MW 0', 'MW 2', 'MW 4']);
+  expect(rangeOf('E 0.6-E 1.0')).toEqual(['E 0.6', 'E 0.7', 'E 1.0']);
+  expect(rangeOf('E 0.6 - 1.0')).toEqual(['E 0.6', 'E 0.7', 'E 1.0']);
+  expect(rangeOf('MB 0 - 2')).toEqual(['MB 0', 'MB 1', 'MB 2']);
+  expect(rangeOf('DB 1.DBW 0 – db1.dbw 2')).toEqual(['DB 1.DBW 0', 'DB 1.DBW 2']);
+  for (const none of ['MW 0..MB 4', 'E 0.0-A 0.7', 'DB1.DBW 0..DB2.DBW 4', 'MW 0-']) expect(rangeOf(none)).toEqual([]);
 });

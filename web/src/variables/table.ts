@@ -46,11 +46,19 @@ export function pastedRows(text: string): Row[] {
 const MOST_OF_A_RANGE = 1000;
 const widths: Record<string, number> = { B: 8, W: 16, D: 32 };
 
-/** "MW 10..20" and "E 0.0..1.7" are an operand each 16 bits and each bit; nothing for what is no range, or one of more than 1,000. */
+const place = (name: string) => String.raw`(?<${name}>\d+)(?:\.(?<${name}Bit>[0-7]))?`;
+const area = String.raw`(?:DB\s?\d+\.)?[A-Z]+`;
+/** From one operand to another one, which may leave out the area: MW 10..20, E 0.0-E 0.7. */
+const range = new RegExp(
+  String.raw`^\s*(?<area>${area})\s*${place('first')}\s*(?:\.\.|[-–])\s*(?:(?<again>${area})\s*)?${place('last')}\s*$`,
+  'i',
+);
+const plain = (name: string): string => name.replace(/\s/g, '').toUpperCase();
+
+/** "MW 10..20" and "E 0.0 - E 1.7" are an operand each 16 bits and each bit; nothing for what is no range, or one of more than 1,000. */
 export function rangeOf(text: string): string[] {
-  const match = /^\s*((?:DB\s?\d+\.)?[A-Z]+)\s*(\d+)(?:\.([0-7]))?\s*\.\.\s*(\d+)(?:\.([0-7]))?\s*$/i.exec(text);
-  if (!match) return [];
-  const [, area = '', first = '', firstBit, last = '', lastBit] = match;
+  const { area = '', again = area, first, firstBit, last, lastBit } = range.exec(text)?.groups ?? {};
+  if (plain(again) !== plain(area)) return [];
   const bits = firstBit !== undefined;
   if (bits !== (lastBit !== undefined)) return [];
   const begin = bits ? Number(first) * 8 + Number(firstBit) : Number(first);
