@@ -186,7 +186,7 @@ test('the rack and its catalogue are as dense', async () => {
   await page.locator('.code').waitFor();
 });
 
-test('nothing in the bar of the text is cut off on a tablet; held upright it has two lines, the tabs of the drawer one', async () => {
+test('nothing in the bar of the text is cut off on a tablet; it has two lines, the tabs of the drawer one', async () => {
   // The arrow of a choice takes 18 px.
   const cut = () => page.locator('.work .bar select').evaluateAll((all) => all.filter((one) => {
     const style = getComputedStyle(one);
@@ -194,9 +194,13 @@ test('nothing in the bar of the text is cut off on a tablet; held upright it has
     pen.font = style.font;
     return pen.measureText(one.selectedOptions[0].textContent).width > one.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - 18;
   }).length);
+  const overfull = () => page.locator('.work .bar button').evaluateAll((all) => all.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.textContent).join());
+  const named = () => page.locator('.work .bar .path').evaluate((one) => one.clientWidth > 0 && one.scrollWidth <= one.clientWidth);
   await page.setViewportSize({ width: 1024, height: 768 });
   await expect(cut, 0, 'choices that are cut off at 1024');
-  assert.ok((await height('.work .bar')) <= 40, 'one line at 1024');
+  await expect(overfull, '', 'buttons that are too narrow for their words');
+  await expect(named, true, 'the whole name of the file');
+  assert.ok((await height('.work .bar')) <= 76, 'two lines at 1024');
   await page.setViewportSize({ width: 768, height: 1024 });
   const lines = () => page.locator('.panel [role=tab]').evaluateAll((tabs) => new Set(tabs.map((tab) => tab.offsetTop)).size);
   await expect(lines, 1);
