@@ -78,8 +78,13 @@ test('a breakpoint stops the CPU there: HALT, its line is marked (S7-EDIT-22)', 
 
 test('step over goes to the next statement, go on to the breakpoint (S7-EDIT-22)', async () => {
   const line = await lineOf('UN    #BeamMiddle;');
+  const register = (name) => page.locator('.halt .registers').getByText(new RegExp(`^${name} [0-9A-F]{4}`)).innerText();
+  const before = await register('STW');
   await page.keyboard.press('F10');
   await page.getByText(`HALT in FB 1, Zeile ${line + 1}`).waitFor();
+  await page.keyboard.press('F10');
+  // S ends the string of logic operations: the first bit of the status word says so.
+  await until(async () => (await register('STW')) !== before, 'the registers of the new place');
   await page.keyboard.press('F8');
   await page.getByText(`HALT in FB 1, Zeile ${line}`).waitFor();
 });

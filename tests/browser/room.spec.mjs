@@ -241,7 +241,7 @@ test('HALT leaves the text where it is', async () => {
   // One line of steps, and one of the front plate, on a tablet.
   for (const [width, high] of [[1024, 768], [768, 1024]]) {
     await page.setViewportSize({ width, height: high });
-    await until(async () => (await height('.halt')) <= 40, `one line at ${width}`);
+    await until(async () => (await height('.halt .bar')) <= 40, `one line at ${width}`);
     await roomy();
     const fold = page.getByRole('button', { name: 'Frontplatte der CPU' });
     if (width < 900) await until(async () => (await fold.boundingBox()).x + 32 <= width, 'the button that unfolds the front plate');
