@@ -28,6 +28,12 @@ test('a path has its parts, each with the way to it', () => {
   ]);
 });
 
+test('a structure is declared where its elements are, which say it no more', () => {
+  const declared = rows.map((one) => ({ ...one, section: 'STAT' }));
+  const sections = dataTree(declared, new Set(['list', 'list[1]'])).map(({ name, section }) => `${name} ${section}`);
+  expect(sections).toEqual(['run STAT', 'list STAT', '[1] ', 'x ', 'y ', '[2] ']);
+});
+
 test('structures and arrays are folded until somebody opens them', () => {
   expect(shown([])).toEqual(['run 0.0', 'list ARRAY']);
   expect(shown(['list'])).toEqual(['run 0.0', 'list ARRAY', ' [1] STRUCT', ' [2] STRUCT']);

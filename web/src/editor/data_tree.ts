@@ -10,6 +10,8 @@ export interface DataNode {
   row?: DataRow;
   kind?: 'STRUCT' | 'ARRAY';
   expanded: boolean;
+  /** IN, STAT and so on, of what is declared in the block itself. */
+  section: string;
   /** Where it begins. */
   address: string;
 }
@@ -38,13 +40,16 @@ export function dataTree(rows: readonly DataRow[], expanded: ReadonlySet<string>
           depth,
           kind: parts[depth + 1]!.name.startsWith('[') ? 'ARRAY' : 'STRUCT',
           expanded: expanded.has(key),
+          section: depth === 0 ? row.section : '',
           address: row.address,
         });
       folded ||= !expanded.has(key);
     }
     open = groups.map(({ key }) => key);
     const { name, key } = parts.at(-1) ?? { name: row.path, key: row.path };
-    if (!folded) nodes.push({ key, name, depth: groups.length, row, expanded: false, address: row.address });
+    const depth = groups.length;
+    const section = depth === 0 ? row.section : '';
+    if (!folded) nodes.push({ key, name, depth, row, expanded: false, section, address: row.address });
   }
   return nodes;
 }

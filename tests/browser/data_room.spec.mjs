@@ -1,0 +1,76 @@
+// The data view of long names, values and comments: everything that is entered and read is in sight on every screen.
+import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { expect, launch, open, scratch, turn, until } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const PROGRAM = `FUNCTION_BLOCK FB 2
+VAR_INPUT
+  ReleaseOfTheConveyor : BOOL ;  // release of the whole conveyor
+END_VAR
+VAR
+  StartOfTheLastBatch : DATE_AND_TIME := DT#2026-11-28-12:30:45.123 ;  // when the last batch began
+  LongDesignation : STRING [40] := 'a designation that is long enough' ;  // shown at the panel
+  Count : INT := 3 ;  // pieces
+  Recipe : STRUCT
+    Step : ARRAY [1..20] OF DATE_AND_TIME ;
+  END_STRUCT ;
+END_VAR
+BEGIN
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 20 FB 2
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     0;
+END_ORGANIZATION_BLOCK
+`;
+
+const workspace = scratch();
+const project = join(workspace, 'data');
+mkdirSync(project);
+writeFileSync(join(project, 'merker.toml'), '[project]\nname = "Data"\n');
+writeFileSync(join(project, 'main.awl'), PROGRAM);
+const server = await launch(project, workspace);
+const page = await open(server, 'program');
+const row = (path) => page.locator(`tr[data-path='${path}']`);
+const actual = (path) => row(path).locator('.actual').innerText();
+
+/** From where to where the heading of a column is, in its frame; null if it is not there. */
+const columns = () => page.locator('.data .frame').evaluate((frame) => {
+  const { left, right } = frame.getBoundingClientRect();
+  const heads = [...frame.querySelectorAll('th')].filter((one) => one.checkVisibility());
+  return Object.fromEntries(heads.map((one) => {
+    const box = one.getBoundingClientRect();
+    return [one.textContent, { wide: Math.round(box.width), inside: box.left >= left - 1 && box.right <= right + 1 }];
+  }));
+});
+
+test('address, name, actual value, modify value and comment are in sight on every screen', async () => {
+  await turn(page, 'RUN-P');
+  await page.getByRole('treeitem', { name: /^DB 20\b/ }).click();
+  await page.getByRole('button', { name: 'Datensicht' }).press('Enter');
+  await expect(() => actual('Count'), '3');
+  await page.getByRole('button', { name: 'Alles aufklappen' }).press('Enter');
+  await row('Recipe.Step[1]').waitFor();
+  assert.match(await row('Recipe').innerText(), /STAT/, 'a structure is declared as well');
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+    await page.setViewportSize({ width, height });
+    let found;
+    const good = (name, wide) => found[name]?.inside && found[name].wide >= wide;
+    await until(async () => {
+      found = await columns();
+      return ['Adresse', 'Name', 'Typ', 'Aktualwert'].every((name) => good(name, 40)) && good('Steuerwert', 90) && good('Kommentar', width > 1100 ? 100 : 72);
+    }, () => `the columns at ${width}: ${JSON.stringify(found)}`);
+    if (width > 1100) assert.ok(found.Deklaration?.inside && found.Anfangswert?.inside, JSON.stringify(found));
+    let crowded;
+    await until(async () => (crowded = await crowding(page)).length === 0, () => crowded.join('\n'));
+    await accessible(page, `data view at ${width}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
