@@ -4,7 +4,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, launch, open, scratch, turn, until } from './harness.mjs';
+import { expect, launch, message, open, quiet, scratch, turn, until } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const PROGRAM = `FUNCTION_BLOCK FB 2
@@ -73,4 +73,18 @@ test('address, name, actual value, modify value and comment are in sight on ever
     await accessible(page, `data view at ${width}`);
   }
   await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test('a number that is too large is told with its range; what succeeds later takes the message away', async () => {
+  await quiet(page);
+  const field = row('Count').getByRole('textbox');
+  await field.fill('99999');
+  await field.press('Enter');
+  await message(page, /DB20\.Count: 99999 liegt außerhalb von INT, -32768 bis 32767/);
+  await page.getByRole('button', { name: 'Aktualwerte übernehmen' }).press('Enter');
+  await message(page, /in der Quelle/);
+  assert.equal(await page.locator('.message.problem').count(), 0);
+  await field.fill('7');
+  await field.press('Enter');
+  await expect(() => actual('Count'), '7');
 });

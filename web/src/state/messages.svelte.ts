@@ -17,13 +17,15 @@ export interface Message {
 }
 
 const SHOWN = 3;
-/** How long good news stays; a problem stays until the same thing succeeds, another view opens or somebody closes it. */
+/** How long good news stays; a problem stays until something succeeds later, another view opens or somebody closes it. */
 const DONE_MS = 6000;
 
 /** What the page has to tell: newest last. The shell shows it at the lower edge. */
 class Messages {
   list = $state<Message[]>([]);
   private nextId = 1;
+  /** What has a number below this was there when somebody did something last. */
+  private known = 0;
 
   problem(problem: Partial<Problem> & { text: string; elsewhere?: boolean }, method = ''): void {
     this.add({ kind: 'problem', code: '', file: '', line: 0, column: 0, method, ...problem });
@@ -37,6 +39,7 @@ class Messages {
 
   /** `stays`: until somebody closes it. */
   done(text: string, stays = false): void {
+    this.list = this.list.filter((one) => one.kind !== 'problem' || one.id >= this.known);
     const id = this.add({ kind: 'done', text, code: '', file: '', line: 0, column: 0, method: '' });
     if (!stays) setTimeout(() => this.dismiss(id), DONE_MS);
   }
@@ -44,6 +47,11 @@ class Messages {
   /** Until somebody closes it. */
   news(text: string): void {
     this.add({ kind: 'news', text, code: '', file: '', line: 0, column: 0, method: '' });
+  }
+
+  /** A key or the pointer: the messages that are there belong to what was done before. */
+  acted(): void {
+    this.known = this.nextId;
   }
 
   dismiss(id: number): void {

@@ -1,5 +1,7 @@
 import { connection, type Kept } from '../connection';
 import { attempt, messages } from '../state/messages.svelte';
+import { beyond, typeOf } from '../state/number_range';
+import { refuse } from '../state/refuse';
 import type { Point, Trigger } from './triggers';
 
 interface Wish {
@@ -23,6 +25,8 @@ export class Modifier {
 
   modify(items: Wish[], { point, once }: Trigger): void {
     this.stop();
+    const refused = items.flatMap((one) => beyond({ ...one, type: typeOf(one.operand, one.format) }));
+    if (refused.length > 0) return refuse(refused);
     if (point === 'now') return void attempt(connection.ask('variables.write', { items }));
     this.point = point;
     const fields = { list: LIST, items, point, once };

@@ -1,6 +1,10 @@
 import type { Texts } from '..';
 
 export const variables = {
+  beyond: [
+    '{operand}: {value} liegt außerhalb von {type}, {low} bis {high}.',
+    '{operand}: {value} is outside of {type}, {low} to {high}.',
+  ],
   title: ['Variablentabelle', 'Variable table'],
   table: ['Tabelle', 'Table'],
   unsaved: ['nicht gespeichert', 'not saved'],
