@@ -88,3 +88,15 @@ test('a number that is too large is told with its range; what succeeds later tak
   await field.press('Enter');
   await expect(() => actual('Count'), '7');
 });
+
+test('F1 names the keys as the keyboard of the page does, each apart from its text', async () => {
+  await page.keyboard.press('F1');
+  const rows = page.locator('dialog .keys li');
+  await rows.filter({ hasText: 'Strg' }).first().waitFor();
+  assert.equal(await page.locator('dialog kbd', { hasText: 'Ctrl' }).count(), 0);
+  const gaps = await rows.evaluateAll((all) => all.map((one) => {
+    const [keys, text] = [...one.children].map((child) => child.getBoundingClientRect());
+    return text.left - [...one.querySelectorAll('kbd')].at(-1).getBoundingClientRect().right;
+  }));
+  assert.ok(Math.min(...gaps) >= 8, `${Math.min(...gaps)} px between keys and text`);
+});
