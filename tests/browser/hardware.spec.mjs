@@ -30,6 +30,8 @@ test('a pulled module is a diagnostic event', async () => {
 test('the event leads to the module, which looks pulled (S7-DIAG-01)', async () => {
   const event = page.getByRole('table').locator('tbody tr').filter({ hasText: '16#3961' }).first();
   assert.match(await event.innerText(), /Limit switches \(Baugruppenträger 0, Steckplatz 4\)/);
+  const cut = () => event.getByRole('button').evaluate((one) => one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight);
+  assert.equal(await cut(), false, 'the module and its slot are read in the row');
   await event.getByRole('button').press('Enter');
   let seen;
   const told = page.locator('[data-module="0/4"]');
