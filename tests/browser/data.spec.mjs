@@ -32,6 +32,11 @@ VAR
 END_VAR
 BEGIN
 END_FUNCTION_BLOCK
+TYPE UDT 1
+  STRUCT
+    Width : INT ;
+  END_STRUCT ;
+END_TYPE
 DATA_BLOCK DB 1 FB 1 // of the press
 BEGIN
 END_DATA_BLOCK
@@ -171,6 +176,30 @@ test('the list marks the block whose data are shown', async () => {
   await visit(page, server, `program?file=main.awl&line=${lineOf('DATA_BLOCK DB 2') + 1}`);
   await until(async () => (await marked()).startsWith('DB 2') && (await row('Speed').count()) === 1, 'DB 2 marked with its data');
   await page.getByRole('button', { name: 'Datensicht' }).click();
+});
+
+test('beside KOP and FUP a data block has its data view, a type its declaration; on paper too', async () => {
+  const printed = async () => {
+    await page.emulateMedia({ media: 'print' });
+    const said = await page.locator('.on-paper').innerText();
+    await page.emulateMedia({ media: null });
+    return said;
+  };
+  for (const view of ['KOP', 'FUP']) {
+    await block('OB 1').click();
+    await page.getByRole('button', { name: view, exact: true }).click();
+    await page.locator('[data-network="1"]').waitFor();
+    await block('DB 2').click();
+    await expect(() => actual('Speed'), '1.500000e+000');
+    assert.equal(await page.locator('.networks').count(), 0);
+    assert.match(await printed(), /^Daten von DB 2[^]*Speed/);
+    await block('UDT 1').click();
+    await until(async () => (await page.locator('.code .cm-activeLine').innerText().catch(() => '')).startsWith('TYPE UDT 1'), 'the type');
+    assert.match(await printed(), /UDT 1[^]*Width : INT/);
+  }
+  await block('OB 1').click();
+  await page.locator('[data-network="1"]').waitFor();
+  await page.getByRole('button', { name: 'AWL', exact: true }).click();
 });
 
 test('a block of the CPU is shown so', async () => {

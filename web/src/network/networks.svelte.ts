@@ -1,8 +1,9 @@
 // The networks of the block at the cursor, as the server draws them. A network that did not change keeps its object, so
 // that only what an edit has changed is drawn again.
-import { connection, type FieldsOf } from '../connection';
+import { connection, Refused, type FieldsOf } from '../connection';
 import type { NetworkPicture } from '../connection/protocol';
 import type { Mnemonics } from '../editor/mnemonics';
+import { told } from '../i18n';
 import { coalesced } from '../state/coalesced';
 
 export type Wanted = FieldsOf<'networks.show'>;
@@ -61,7 +62,7 @@ export class Networks {
       this.end = answer.end;
       this.list = merged(this.list, answer.networks);
     } catch (error) {
-      this.refused = error instanceof Error ? error.message : String(error);
+      this.refused = error instanceof Refused ? told(error.problems[0]!) : String(error);
       this.list = [];
     } finally {
       for (const done of waiting) done();
