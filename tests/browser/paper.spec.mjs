@@ -42,6 +42,14 @@ test('a source from its first line to its last', async () => {
   for (const line of source.split('\n').filter((one) => one.trim())) assert.ok(text.includes(line.trim()), line);
 });
 
+test('of a source with several blocks, the one that is chosen', async () => {
+  await page.getByRole('treeitem', { name: /^FB 2\b/ }).click();
+  await until(async () => (await page.locator('.code .cm-activeLine').innerText()).startsWith('FUNCTION_BLOCK "Slider"'), 'FB 2');
+  const text = await printed(/END_FUNCTION_BLOCK/);
+  assert.match(text, /^sorting\.awl: "Slider"/);
+  assert.doesNotMatch(text, /ORGANIZATION_BLOCK|"Classify box"/);
+});
+
 test('a data block with its values, the symbols, the modules', async () => {
   await visit(page, server, 'program?block=DB%2020');
   await page.getByRole('button', { name: 'Datensicht' }).click();
