@@ -84,6 +84,28 @@ test('export and import keep the table (S7-SYM-17)', async () => {
   await expect(() => cell('Symbol', 10).inputValue(), 'Horn');
 });
 
+test('a table of a spreadsheet is pasted: into the empty row, below a filled one', async () => {
+  const paste = (name, row, text) => cell(name, row).evaluate((one, text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', text);
+    one.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+  const shown = async (row) => (await Promise.all(['Symbol', 'Operand', 'Datentyp', 'Kommentar'].map((name) => cell(name, row).inputValue()))).join('|');
+  await page.getByRole('button', { name: '+ Zeile' }).click();
+  await expect(() => rows.count(), 11);
+  await paste('Symbol', 11, 'Neu Ä 1\tE 5.0\tBOOL\tKomm 1\nNeu Ä 2\tMW 50\tINT\tKomm 2\n');
+  await expect(() => rows.count(), 12);
+  await expect(() => shown(11), 'Neu Ä 1|E 5.0|BOOL|Komm 1');
+  await expect(() => shown(12), 'Neu Ä 2|MW 50|INT|Komm 2');
+  await paste('Operand', 11, 'Between\tE 5.1\tBOOL\tKomm 3\n');
+  await expect(() => rows.count(), 13);
+  await expect(() => shown(11), 'Neu Ä 1|E 5.0|BOOL|Komm 1');
+  await expect(() => shown(12), 'Between|E 5.1|BOOL|Komm 3');
+  await until(() => save.isEnabled(), 'a table without problems');
+  await page.keyboard.press('Control+s');
+  await until(() => /"Neu Ä 2"\s+MW\s*50\s+INT\s+\/\/ Komm 2/.test(saved()), 'the saved symbols');
+});
+
 test('a broken file is refused with its places, and nothing is said to have come', async () => {
   await quiet(page);
   const before = await rows.count();

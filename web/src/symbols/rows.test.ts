@@ -1,5 +1,15 @@
 import { expect, test } from 'vitest';
-import { decode, emptyRow, formatOf, fromText, meaningful, shownRows, toText, type SymbolRow } from './rows';
+import {
+  decode,
+  emptyRow,
+  formatOf,
+  fromText,
+  meaningful,
+  pastedRows,
+  shownRows,
+  toText,
+  type SymbolRow,
+} from './rows';
 
 const row = (symbol: string, operand: string): SymbolRow => ({ symbol, operand, type: 'BOOL', comment: '' });
 const rows = [row('Motor', 'A 10.0'), row('anlasser', 'A 2.0'), row('Ende', 'E 0.1')];
@@ -25,4 +35,20 @@ test('files of STEP 7 are read in their code page', () => {
   expect(decode(new TextEncoder().encode('Tür').buffer as ArrayBuffer)).toBe('Tür');
   expect(formatOf('Symbole.SDF')).toBe('sdf');
   expect(formatOf('Symbole.xls')).toBeNull();
+});
+
+test('rows and columns of a spreadsheet become symbols; a single text is typed', () => {
+  const two = [
+    { symbol: 'Neu Ä 1', operand: 'E 5.0', type: 'BOOL', comment: 'Komm; 1' },
+    { symbol: 'Neu Ä 2', operand: 'MW 50', type: 'INT', comment: '' },
+  ];
+  const text = 'Neu Ä 1\tE 5.0\tBOOL\tKomm; 1\r\n"Neu Ä 2"\tMW 50\tINT\r\n\r\n';
+  expect(pastedRows(text, 'symbol')).toEqual(two);
+  expect(pastedRows(text, 'comment')).toEqual(two);
+  expect(pastedRows('E 1.0\tBOOL\nE 1.1\tBOOL', 'operand')).toEqual([
+    { symbol: '', operand: 'E 1.0', type: 'BOOL', comment: '' },
+    { symbol: '', operand: 'E 1.1', type: 'BOOL', comment: '' },
+  ]);
+  expect(pastedRows('\tE 1.0\tBOOL', 'symbol')[0]).toEqual({ ...emptyRow(), operand: 'E 1.0', type: 'BOOL' });
+  for (const typed of ['Motor', 'Motor\n', ' ']) expect(pastedRows(typed, 'symbol')).toEqual([]);
 });

@@ -1,5 +1,7 @@
 // The rows of the symbol table: their text for drafts, order and filter. What is right or wrong says the server.
 
+import { cellsOf, isTable } from '../state/pasted';
+
 export const fields = ['symbol', 'operand', 'type', 'comment'] as const;
 export type Field = (typeof fields)[number];
 export type SymbolRow = Record<Field, string>;
@@ -19,6 +21,21 @@ export const toText = (rows: readonly SymbolRow[]): string => JSON.stringify(mea
 export function fromText(text: string): SymbolRow[] {
   const rows = JSON.parse(text) as Partial<SymbolRow>[];
   return rows.map((row) => ({ ...emptyRow(), ...row }));
+}
+
+/** What a spreadsheet writes around a cell with a quotation mark, and a source around each symbol. */
+const unquoted = (cell: string): string => /^"+(.*?)"+$/.exec(cell)?.[1] ?? cell;
+
+/** Rows from the clipboard, their first column that of the field; further left where they have more columns. None for a single text. */
+export function pastedRows(text: string, field: Field): SymbolRow[] {
+  if (!isTable(text)) return [];
+  const rows = cellsOf(text);
+  const widest = Math.max(...rows.map((cells) => cells.length));
+  const first = Math.max(0, Math.min(fields.indexOf(field), fields.length - widest));
+  return rows.map((cells) => {
+    const values = fields.slice(first).map((name, index): [Field, string] => [name, unquoted(cells[index] ?? '')]);
+    return { ...emptyRow(), ...Object.fromEntries(values) };
+  });
 }
 
 // E 2.0 before E 10.0: numbers inside a text count as numbers.

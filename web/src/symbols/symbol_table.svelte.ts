@@ -2,9 +2,10 @@
 import { connection, Refused, type Problem } from '../connection';
 import { OpenDocument } from '../editor/document.svelte';
 import { Drafts } from '../editor/drafts';
+import { pastedInto } from '../state/pasted';
 import { attempt, messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
-import { emptyRow, fromText, meaningful, toText, type Field, type SymbolRow, type Format } from './rows';
+import { emptyRow, fromText, isEmpty, meaningful, toText, type Field, type SymbolRow, type Format } from './rows';
 
 const CHECK_AFTER_MS = 250;
 
@@ -54,6 +55,12 @@ class SymbolTable {
   add(): number {
     this.rows.push(emptyRow());
     return this.rows.length - 1;
+  }
+
+  /** Rows in place of this one if it is empty, else below it, as in the variable table. */
+  paste(index: number, rows: SymbolRow[]): void {
+    this.rows = pastedInto(this.rows, index, isEmpty(this.rows[index]!), rows);
+    this.changed();
   }
 
   remove(index: number): void {

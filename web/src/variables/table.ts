@@ -2,6 +2,7 @@
 // docs/formats/variable-table.md
 
 import { FORMATS } from '../state/formats';
+import { cellsOf, isTable } from '../state/pasted';
 
 export interface Row {
   operand: string;
@@ -35,8 +36,9 @@ export function parseTable(text: string): Row[] {
 
 /** Rows from the clipboard: one a line, columns by tabs or semicolons; none for a single operand, which is typed text. */
 export function pastedRows(text: string): Row[] {
-  if (!/[\t\n;]/.test(text.trim())) return [];
-  return parseTable(text.replace(/[ ]*\t[ ]*/g, ' ; ')).map(({ operand, format, modify }) =>
+  if (!isTable(text) && !text.trim().includes(';')) return [];
+  const lines = cellsOf(text).map((cells) => cells.join(' ; '));
+  return parseTable(lines.join('\n')).map(({ operand, format, modify }) =>
     known.has(format.toUpperCase())
       ? { operand, format: format.toUpperCase(), modify }
       : { operand, format: 'AUTO', modify },

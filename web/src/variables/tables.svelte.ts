@@ -2,6 +2,7 @@ import { untrack } from 'svelte';
 import { connection } from '../connection';
 import { kept } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
+import { pastedInto } from '../state/pasted';
 import { plc } from '../state/plc.svelte';
 import { parseTable, printTable, rangeOf, type Row } from './table';
 import { atOnce, parseTriggers, printTriggers, type Trigger } from './triggers';
@@ -66,7 +67,7 @@ export class Table {
   paste(at: Row, rows: Row[]): void {
     const index = this.rows.indexOf(at);
     const gone = at.operand.trim() === '' || rangeOf(at.operand).length > 1;
-    this.rows = [...this.rows.slice(0, gone ? index : index + 1), ...rows, ...this.rows.slice(index + 1)];
+    this.rows = pastedInto(this.rows, index, gone, rows);
     this.complete();
   }
 
