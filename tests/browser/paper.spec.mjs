@@ -65,3 +65,18 @@ test('a data block with its values, the symbols, the modules', async () => {
   await page.getByRole('button', { name: /SM 321/ }).waitFor();
   await printed(/0\/4\s+[^]*E 0\.0…1\.7/);
 });
+
+test('paper is white and its letters are dark, whatever the theme', async () => {
+  const dark = await open(server, 'program?file=sorting.awl', { theme: 'dark' });
+  await dark.locator('.code .cm-content').waitFor();
+  const colours = () => dark.evaluate(() => {
+    const { colorScheme } = getComputedStyle(document.documentElement);
+    const { color } = getComputedStyle(document.querySelector('.on-paper') ?? document.body);
+    return [colorScheme, color, ...['--raised', '--code-operand', '--warning-soft'].map((name) => getComputedStyle(document.documentElement).getPropertyValue(name))].join(' ');
+  });
+  assert.match(await colours(), /^dark/);
+  await dark.emulateMedia({ media: 'print' });
+  await expect(colours, 'light rgb(0, 0, 0) #fff #000 #fbeac6');
+  await dark.emulateMedia({ media: null });
+  await expect(async () => (await colours()).slice(0, 4), 'dark');
+});
