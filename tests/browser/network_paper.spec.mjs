@@ -1,7 +1,9 @@
 // Networks of KOP and FUP on paper, with and without comments, with breakpoints; STEP 5 with its status (S7-EDIT-13, -15, -21).
 import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { expect, message, open, turn, write } from './harness.mjs';
+import { expect, launch, message, open, scratch, turn, until, write } from './harness.mjs';
 import { networksOf, OF, project } from './networks.mjs';
 
 const plc = await project('314C-2 PtP', 'main.awl', OF(['U E 0.0;', '= A 1.0;']));
@@ -20,6 +22,39 @@ test('comments are shown or not; on paper is the drawing alone, without a mark',
   assert.ok(await network().locator('.symbol').first().isVisible());
   assert.ok((await page.pdf()).length > 1000);
   await page.emulateMedia({ media: null });
+});
+
+test('a ladder wider than the paper goes on below, at one size, and its coil is there', async () => {
+  const numbers = Array.from({ length: 12 }, (_, index) => String(index).padStart(2, '0'));
+  const workspace = scratch();
+  const folder = join(workspace, 'wide');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[cpu]\nmodel = "314C-2 PtP"\n');
+  writeFileSync(join(folder, 'main.sym'), numbers.map((one) => `"Endlagenschalter Nr ${one}"  M 1${one}.0  BOOL\n`).join(''));
+  writeFileSync(join(folder, 'main.awl'), OF([...numbers.map((one) => `U "Endlagenschalter Nr ${one}";`), '= A 1.0;']));
+  const wide = await launch(folder, workspace);
+  const paper = await open(wide, 'program?file=main.awl', { width: 1280, height: 720 });
+  await paper.getByRole('button', { name: 'KOP', exact: true }).click();
+  await paper.locator('[data-network="1"] .symbol').first().waitFor();
+  await paper.setViewportSize({ width: 718, height: 1000 });
+  await paper.emulateMedia({ media: 'print' });
+  const strips = paper.locator('[data-network="1"] .strips svg');
+  await until(async () => (await strips.count()) > 1, 'strips');
+  const seen = await strips.evaluateAll((all) => all.map((one) => {
+    const { left, right, width, height } = one.getBoundingClientRect();
+    return { left, right, scale: width / one.viewBox.baseVal.width, from: one.viewBox.baseVal.x, to: one.viewBox.baseVal.x + one.viewBox.baseVal.width, drawn: height > 0 && one.querySelector('use').getBoundingClientRect().width > 0 };
+  }));
+  const whole = await paper.locator('[data-network="1"] .divided').evaluate((one) => one.viewBox.baseVal.width);
+  assert.equal(seen[0].from, 0);
+  assert.equal(seen.at(-1).to, whole);
+  seen.forEach((one, index) => {
+    if (index > 0) assert.equal(one.from, seen[index - 1].to);
+    assert.ok(one.left >= 0 && one.right <= 718 && one.drawn, JSON.stringify(one));
+    assert.ok(one.scale > 0.6 && Math.abs(one.scale - seen[0].scale) < 0.01, JSON.stringify(one));
+  });
+  assert.equal(await paper.evaluate(() => document.documentElement.scrollWidth), 718);
+  await paper.emulateMedia({ media: null });
+  await expect(() => strips.count(), 0);
 });
 
 test('the dot before a network stops at its first statement', async () => {
