@@ -4,7 +4,7 @@ import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, launch, open, root, scratch, until } from './harness.mjs';
+import { expect, launch, open, root, scratch, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const workspace = scratch();
@@ -116,4 +116,18 @@ test('there is room for it on every screen', async () => {
     await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
     await accessible(page, `comparison at ${width}`);
   }
+});
+
+test('a project that was open before is in the lists once', async () => {
+  await page.evaluate((folder) => new Promise((done) => {
+    const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
+    const asks = [folder, 'plant 2', folder];
+    const ask = () => asks.length ? socket.send(JSON.stringify({ id: asks.length, do: 'projects.open', folder: asks.shift() })) : done(socket.close());
+    socket.onopen = ask;
+    socket.onmessage = ({ data }) => JSON.parse(data).id && ask();
+  }), project);
+  await visit(page, server, 'compare');
+  let listed;
+  await until(async () => (listed = await page.getByLabel('Rechts').locator('option').allInnerTexts()).some((one) => one === 'plant 2'), () => listed);
+  assert.deepEqual(listed.filter((one) => one.endsWith('plant 2')), ['plant 2']);
 });

@@ -2,6 +2,7 @@
 import { connection, type Requests } from '../connection';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
+import { nameIn } from './names';
 
 type Listed = Requests['projects.list']['result'];
 
@@ -19,7 +20,9 @@ class ProjectList {
 
   async read(): Promise<void> {
     const answer = await attempt(connection.ask('projects.list'));
-    if (answer) Object.assign(this, answer);
+    if (!answer) return;
+    const recent = answer.recent.map((folder) => nameIn(answer.folder, folder));
+    Object.assign(this, { ...answer, recent });
   }
 }
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { copyName, fileName } from './names';
+import { copyName, fileName, nameIn } from './names';
 
 test('a copy is named after its folder, and not like another project', () => {
   expect(copyName('/srv/merker/press', 'Kopie', [])).toBe('press Kopie');
@@ -12,4 +12,12 @@ test('a copy is named after its folder, and not like another project', () => {
 test('a file keeps its name', () => {
   expect(fileName('sub/main.awl')).toBe('main.awl');
   expect(fileName('CPU: OB 1')).toBe('OB 1.awl');
+});
+
+test('a folder of the workspace has one name, wherever it was opened from', () => {
+  expect(nameIn('/home/me/merker', '/home/me/merker/plants/press')).toBe('plants/press');
+  expect(nameIn('/home/me/merker/', '/home/me/merker/press')).toBe('press');
+  expect(nameIn('/home/me/merker', 'press')).toBe('press');
+  expect(nameIn('/home/me/merker', '/home/me/merker2/press')).toBe('/home/me/merker2/press');
+  expect(nameIn('', '/press')).toBe('/press');
 });

@@ -15,3 +15,9 @@ export function fileName(path: string): string {
   const last = path.split('/').at(-1)!;
   return last.startsWith('CPU: ') ? `${last.slice(5)}.awl` : last;
 }
+
+/** The one name of a folder: what lies in the workspace goes by its way from there. */
+export function nameIn(workspace: string, folder: string): string {
+  const start = `${workspace.replace(/\/+$/, '')}/`;
+  return workspace && folder.startsWith(start) ? folder.slice(start.length) : folder;
+}
