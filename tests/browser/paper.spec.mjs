@@ -63,7 +63,9 @@ test('a data block with its values, the symbols, the modules', async () => {
   for (const name of symbols) assert.ok(text.includes(name.slice(1, -1)), name);
   await visit(page, server, 'hardware');
   await page.getByRole('button', { name: /SM 321/ }).waitFor();
-  await printed(/0\/4\s+[^]*E 0\.0…1\.7/);
+  const modules = await printed(/0\/4\s+[^]*E 0\.0…1\.7/);
+  assert.match(modules, /Arbeitsspeicher: \d+ Byte[^]*Eingangsverzögerung: 3ms/);
+  assert.doesNotMatch(modules, /work memory|timers|order number|slot:|input delay/);
 });
 
 test('paper is white and its letters are dark, whatever the theme', async () => {
