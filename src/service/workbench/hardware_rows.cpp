@@ -121,28 +121,32 @@ Json moduleRow(const io::Module& module, const io::Rack* rack, const source::Sym
   return row;
 }
 
+Json cpuRow(std::string_view order, std::string_view name, Json properties) {
+  return {{"slot", "2"},
+          {"order", order},
+          {"name", name},
+          {"type", name},
+          {"kind", "cpu"},
+          {"inputs", nullptr},
+          {"outputs", nullptr},
+          {"terminals", Json::array()},
+          {"properties", std::move(properties)},
+          {"faults", Json::array()},
+          {"present", true}};
+}
+
 namespace {
 
 // Braces alone would make an object of a list of pairs.
 Json pair(const char* name, std::string value) { return Json::array({name, std::move(value)}); }
 
-// The CPU stands in slot 2 of rack 0, whatever it has on board.
-Json cpuRow(const CpuModel& model) {
-  return {
-      {"slot", "2"},
-      {"order", model.orderNumber},
-      {"name", model.name},
-      {"type", model.name},
-      {"kind", "cpu"},
-      {"inputs", nullptr},
-      {"outputs", nullptr},
-      {"terminals", Json::array()},
-      {"properties", Json::array({pair("work memory", fmt::format("{} bytes", model.workMemory)),
-                                  pair("timers", std::to_string(model.timers)),
-                                  pair("counters", std::to_string(model.counters)),
-                                  pair("flags", fmt::format("{} bytes", model.flagBytes))})},
-      {"faults", Json::array()},
-      {"present", true}};
+// Whatever it has on board.
+Json rowOf(const CpuModel& model) {
+  return cpuRow(model.orderNumber, model.name,
+                Json::array({pair("work memory", fmt::format("{} bytes", model.workMemory)),
+                             pair("timers", std::to_string(model.timers)),
+                             pair("counters", std::to_string(model.counters)),
+                             pair("flags", fmt::format("{} bytes", model.flagBytes))}));
 }
 
 }  // namespace
@@ -162,7 +166,7 @@ Json hardwareRows(const io::Configuration& configuration, const io::Rack* rack,
     Json slots = Json::array();
     bool cpu = number != 0;
     const auto addCpu = [&] {
-      if (!cpu) slots.push_back(cpuRow(*configuration.model));
+      if (!cpu) slots.push_back(rowOf(*configuration.model));
       cpu = true;
     };
     for (const io::Module& module : configuration.modules) {

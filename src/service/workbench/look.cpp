@@ -2,6 +2,7 @@
 
 #include "block/container.h"
 #include "workbench/hardware_rows.h"
+#include "workbench/parameter_rows.h"
 #include "workbench/program_rows.h"
 #include "workbench/symbol_rows.h"
 
@@ -33,13 +34,51 @@ Json symbolTexts(const source::SymbolTable& symbols) {
   return rows;
 }
 
-// A SINUMERIK has none that are chosen.
+// As a property of a module: "on", "150ms", "2".
+std::string valueText(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+// "" for what is set on the CPU itself, "OB 35 " for [cpu.OB35].
+std::string ownerOf(const std::string& table) {
+  constexpr std::string_view kBlock = "cpu.OB";
+  return table.starts_with(kBlock) ? "OB " + table.substr(kBlock.size()) + " " : "";
+}
+
+// What is set on the CPU, by the keys of merker.toml. A password is not for everybody who looks.
+void addCpuParameters(const project::Project& project, Json& properties) {
+  for (const Json& table : cpuParameterRows(project))
+    for (const Json& parameter : table["parameters"]) {
+      const auto key = parameter["key"].get<std::string>();
+      if (key == "password" || parameter["value"].is_null()) continue;
+      properties.push_back(Json::array(
+          {ownerOf(table["table"].get<std::string>()) + key, valueText(parameter["value"])}));
+    }
+}
+
+// It has no modules that are chosen: the control, and its machine data unlike the standard ones.
+Json controlRacks(const cnc::Options& control) {
+  Json properties = Json::array();
+  for (const cnc::MachineDatum& datum : control.machineData)
+    properties.push_back(
+        Json::array({fmt::format("MD {}", datum.number), std::to_string(datum.value)}));
+  Json racks = Json::array();
+  racks.push_back(
+      {{"rack", 0},
+       {"slots", Json::array({cpuRow("", control.model->name, std::move(properties))})}});
+  return racks;
+}
+
 Json racksOf(const project::Project& project) {
-  if (project.control) return Json::array();
+  if (project.control) return controlRacks(*project.control);
   Problems none;
-  return hardwareRows(
-      project.hardware ? *project.hardware : io::configure({}, *project.model, none), nullptr,
-      project.symbols);
+  Json racks =
+      hardwareRows(project.hardware ? *project.hardware : io::configure({}, *project.model, none),
+                   nullptr, project.symbols);
+  for (Json& slot : racks[0]["slots"])
+    if (slot["kind"] == "cpu") addCpuParameters(project, slot["properties"]);
+  return racks;
 }
 
 }  // namespace

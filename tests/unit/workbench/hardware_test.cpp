@@ -52,6 +52,37 @@ TEST(Hardware, ModulesHaveAddressesTerminalsAndFaults) {
   EXPECT_EQ(slot(bench, "5")["terminals"][1]["operand"], "PEW 274");
 }
 
+Json cpuLookedAt(const std::string& settings) {
+  Bench bench(kProgram, settings);
+  const Json answer = bench.call("projects.look");
+  for (const Json& one : answer["racks"][0]["slots"])
+    if (one["kind"] == "cpu") return one;
+  return nullptr;
+}
+
+// S7-MGR-15
+TEST(Hardware, WhatIsSetOnTheCpuIsComparedWithIt) {
+  const Json cpu = cpuLookedAt(
+      "[cpu]\nmpi_address = 5\ncycle_monitoring = \"300ms\"\nprotection = 3\n"
+      "password = \"secret\"\n[cpu.OB35]\ninterval = \"50ms\"\n");
+  EXPECT_EQ(cpu["order"], "6ES7 314-6BF01-0AB0");
+  std::map<std::string, std::string> found;
+  for (const Json& one : cpu["properties"]) found[one[0]] = one[1];
+  EXPECT_EQ(found["mpi_address"], "5");
+  EXPECT_EQ(found["cycle_monitoring"], "300ms");
+  EXPECT_EQ(found["protection"], "3");
+  EXPECT_EQ(found["start_on_mismatch"], "on");
+  EXPECT_EQ(found["OB 35 interval"], "50ms");
+  EXPECT_EQ(found["work memory"], "49152 bytes");
+  EXPECT_FALSE(found.contains("password"));
+}
+
+TEST(Hardware, AControlIsComparedByItsModelAndMachineData) {
+  const Json small = cpuLookedAt("[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n");
+  EXPECT_EQ(small["name"], "SINUMERIK 810 GA3");
+  EXPECT_EQ(cpuLookedAt("[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n")["name"], "SINUMERIK 820 GA3");
+}
+
 // S7-NET-17
 TEST(Hardware, SlavesOfAnAsInterfaceHangOnTheirCp) {
   constexpr std::string_view kFormat =
