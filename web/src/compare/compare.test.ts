@@ -69,11 +69,45 @@ test('symbols by name, modules by place', () => {
   ]);
   expect(rows[2]!.left).toEqual(['E 0.1', 'BOOL', '']);
   const slot = (at: string, name: string, first: number) =>
-    ({ slot: at, name, order: '', properties: [], inputs: { first, bytes: 2 }, outputs: null }) as never;
+    ({
+      slot: at,
+      name,
+      kind: 'digital',
+      order: '',
+      properties: [],
+      inputs: { first, bytes: 2 },
+      outputs: null,
+    }) as never;
   const modules = compareModules(
     look({ racks: [{ rack: 0, slots: [slot('4', 'SM 321', 0), slot('10', 'SM 321', 4)] }] }),
     look({ racks: [{ rack: 0, slots: [slot('4', 'SM 321', 8), slot('10', 'SM 321', 4)] }] }),
   );
   expect(modules.map(({ key, state }) => `${key} ${state}`)).toEqual(['0/4 different', '0/10 same']);
   expect(modules[0]!.left).toEqual(['SM 321', 'E 0…1', '']);
+});
+
+test('the CPU is one row: its type, its order number, and what is set on it otherwise', () => {
+  const cpu = (name: string, order: string, slot: string, ...properties: [string, string][]) =>
+    look({
+      racks: [
+        { rack: 0, slots: [{ slot, name, kind: 'cpu', order, properties, inputs: null, outputs: null }] },
+      ] as never,
+    });
+  const [row] = compareModules(
+    cpu('CPU 313C', '6ES7 1', '2', ['timers', '256'], ['mpi_address', '2'], ['cycle_monitoring', '150ms']),
+    cpu('CPU 313C', '6ES7 1', '2', ['timers', '256'], ['mpi_address', '5'], ['cycle_monitoring', '300ms']),
+  );
+  expect(row).toEqual({
+    key: 'CPU',
+    state: 'different',
+    left: ['CPU 313C 6ES7 1', '', 'mpi_address: 2; cycle_monitoring: 150ms'],
+    right: ['CPU 313C 6ES7 1', '', 'mpi_address: 5; cycle_monitoring: 300ms'],
+  });
+  const [other] = compareModules(cpu('SINUMERIK 810 GA3', '', ''), cpu('SINUMERIK 820 GA3', '', '2'));
+  expect(other!.state).toBe('different');
+  const [same] = compareModules(cpu('A', 'B', '2', ['timers', '256']), cpu('A', 'B', '2', ['timers', '256']), {
+    module: (name) => `the ${name}`,
+    property: ([name, value]) => `${value} ${name}`,
+  });
+  expect(same).toMatchObject({ state: 'same', left: ['the A B', '', '256 timers'] });
 });

@@ -1,5 +1,5 @@
 // What differs between two programs: blocks by their code and text, symbols by name, modules by place.
-import type { BlockText, Rack, Requests, SymbolRow } from '../connection/protocol';
+import type { BlockText, Rack, Requests, Slot, SymbolRow } from '../connection/protocol';
 import { compareIds } from '../editor/block_tree';
 
 export type Look = Requests['projects.look']['result'];
@@ -60,22 +60,44 @@ export function compareSymbols(left: Look, right: Look): RowPair[] {
 const range = (what: string, area: { first: number; bytes: number } | null): string =>
   area ? `${what} ${area.first}…${area.first + area.bytes - 1}` : '';
 
-/** By rack and slot: module, addresses, parameters. */
-export function compareModules(left: Look, right: Look): RowPair[] {
-  const rows = (racks: readonly Rack[]) =>
+/** How what a module has is said. */
+export interface Words {
+  module: (name: string) => string;
+  property: (property: [string, string]) => string;
+}
+const asGiven: Words = { module: (name) => name, property: (property) => property.join(': ') };
+
+/** Of two modules what only one has; of equal ones, or without another, all. */
+function ownProperties(slot: Slot, other: Slot | undefined): [string, string][] {
+  const theirs = new Set(other?.properties.map((one) => one.join('\n')));
+  const own = slot.properties.filter((one) => !theirs.has(one.join('\n')));
+  return other && sameProperties(slot, other) ? slot.properties : own;
+}
+const sameProperties = (a: Slot, b: Slot): boolean => JSON.stringify(a.properties) === JSON.stringify(b.properties);
+
+/** There is one CPU, wherever it stands. */
+const placed = (racks: readonly Rack[]) =>
+  new Map(
+    racks.flatMap(({ rack, slots }) =>
+      slots.map((slot): [string, Slot] => [slot.kind === 'cpu' ? 'CPU' : `${rack}/${slot.slot}`, slot]),
+    ),
+  );
+
+/** By rack and slot: module, addresses, parameters; of those what differs. */
+export function compareModules(left: Look, right: Look, words = asGiven): RowPair[] {
+  const [lefts, rights] = [placed(left.racks), placed(right.racks)];
+  const rows = (some: Map<string, Slot>, others: Map<string, Slot>) =>
     new Map(
-      racks.flatMap(({ rack, slots }) =>
-        slots.map((slot): [string, string[]] => [
-          `${rack}/${slot.slot}`,
-          [
-            [slot.name, slot.order].filter(Boolean).join(' '),
-            [range('E', slot.inputs), range('A', slot.outputs)].filter(Boolean).join(', '),
-            slot.properties.map(([name, value]) => `${name}: ${value}`).join('; '),
-          ],
-        ]),
-      ),
+      [...some].map(([key, slot]): [string, string[]] => [
+        key,
+        [
+          [words.module(slot.name), slot.order].filter(Boolean).join(' '),
+          [range('E', slot.inputs), range('A', slot.outputs)].filter(Boolean).join(', '),
+          ownProperties(slot, others.get(key)).map(words.property).join('; '),
+        ],
+      ]),
     );
-  return rowPairs(rows(left.racks), rows(right.racks)).sort((a, b) =>
+  return rowPairs(rows(lefts, rights), rows(rights, lefts)).sort((a, b) =>
     a.key.localeCompare(b.key, 'en', { numeric: true }),
   );
 }
