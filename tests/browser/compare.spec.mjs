@@ -131,3 +131,24 @@ test('a project that was open before is in the lists once', async () => {
   await until(async () => (listed = await page.getByLabel('Rechts').locator('option').allInnerTexts()).some((one) => one === 'plant 2'), () => listed);
   assert.deepEqual(listed.filter((one) => one.endsWith('plant 2')), ['plant 2']);
 });
+
+test('a CPU that is set otherwise is different; all of its properties can be read', async () => {
+  change(other, 'merker.toml', ['model = "314C-2 PtP"', 'model = "314C-2 PtP"\nmpi_address = 5\ncycle_monitoring = "300ms"']);
+  await page.reload();
+  await page.locator('[data-phase="open"]').waitFor();
+  await page.getByLabel('Rechts').selectOption('plant 2');
+  await page.getByRole('tab', { name: /^Hardware \(1\)/ }).click();
+  const cpu = rows('Hardware').filter({ hasText: 'CPU 314C-2 PtP' });
+  await until(async () => /^CPU\s+verschieden\s+CPU 314C-2 PtP 6ES7 314-6BF01-0AB0/.test(await cpu.innerText()), 'the CPU');
+  assert.equal(await cpu.locator('del').innerText(), 'MPI-Adresse: 2; Zyklusüberwachungszeit: 150ms');
+  assert.equal(await cpu.locator('ins').innerText(), 'MPI-Adresse: 5; Zyklusüberwachungszeit: 300ms');
+  await page.getByRole('switch', { name: 'auch was gleich ist' }).press('Space');
+  await until(async () => (await rows('Hardware').count()) > 3, 'modules');
+  const cut = () => page.getByRole('table', { name: 'Hardware' }).evaluate((table) =>
+    [...table.querySelectorAll('td')].filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.innerText).join('\n'));
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await expect(cut, '', `at ${width}`);
+    await accessible(page, `hardware compared at ${width}`);
+  }
+});
