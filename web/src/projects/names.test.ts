@@ -15,9 +15,9 @@ test('a file keeps its name', () => {
 });
 
 test('a folder of the workspace has one name, wherever it was opened from', () => {
-  expect(nameIn('/home/me/merker', '/home/me/merker/plants/press')).toBe('plants/press');
-  expect(nameIn('/home/me/merker/', '/home/me/merker/press')).toBe('press');
-  expect(nameIn('/home/me/merker', 'press')).toBe('press');
-  expect(nameIn('/home/me/merker', '/home/me/merker2/press')).toBe('/home/me/merker2/press');
+  expect(nameIn('/srv/merker', '/srv/merker/plants/press')).toBe('plants/press');
+  expect(nameIn('/srv/merker/', '/srv/merker/press')).toBe('press');
+  expect(nameIn('/srv/merker', 'press')).toBe('press');
+  expect(nameIn('/srv/merker', '/srv/merker2/press')).toBe('/srv/merker2/press');
   expect(nameIn('', '/press')).toBe('/press');
 });
