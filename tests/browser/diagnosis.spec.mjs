@@ -114,7 +114,7 @@ test('after a fault: "open block" leads to its line (S7-MGR-16)', async () => {
   writeFileSync(join(folder, 'merker.toml'), '[project]\nname = "Faulty"\n');
   writeFileSync(join(folder, 'main.awl'), FAULTY);
   const faulty = await launch(folder, server.workspace);
-  fault = await open(faulty, 'diagnosis');
+  fault = await open(faulty, 'diagnosis', { stays: true });
   await fault.locator('[data-mode="STOP"]').waitFor();
   await fault.getByRole('table').locator('tbody tr').filter({ hasText: /16#252/ }).first().click();
   await fault.getByRole('button', { name: 'Baustein öffnen' }).click();

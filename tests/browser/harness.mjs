@@ -18,7 +18,7 @@ const merker = resolve(process.env.MERKER ?? join(root, 'build/release/merker'))
 const PATIENCE = Number(process.env.MERKER_PATIENCE ?? 60_000);
 
 /** What has to be done when all tests of the file are over: pages go before what they talk to, each newest first. */
-const endings = { page: [], judgement: [], program: [], folder: [] };
+const endings = { page: [], staying: [], judgement: [], program: [], folder: [] };
 after(async () => {
   const failures = [];
   for (const end of Object.values(endings).flatMap((some) => some.reverse())) {
@@ -89,8 +89,8 @@ async function running() {
   return browser;
 }
 
-/** Opens a view. The test fails on any error of the page and any request that leaves the server. */
-export async function open(server, view = 'io', { language = 'de', theme = 'light', width = 1280, height = 800 } = {}) {
+/** Opens a view. The test fails on any error of the page and any request that leaves the server. `stays`: for later tests as well. */
+export async function open(server, view = 'io', { language = 'de', theme = 'light', width = 1280, height = 800, stays = false } = {}) {
   const context = await (await running()).newContext({ viewport: { width, height }, acceptDownloads: true });
   const page = await context.newPage();
   await slowed(context, page);
@@ -112,7 +112,7 @@ export async function open(server, view = 'io', { language = 'de', theme = 'ligh
   await visit(page, server, view);
   await page.locator('[data-phase="open"]').waitFor();
   endings.judgement.push(() => assert.deepEqual(complaints, [], 'the page complained'));
-  endings.page.push(() => context.close());
+  endings[stays ? 'staying' : 'page'].push(() => context.close());
   return page;
 }
 
