@@ -1,7 +1,13 @@
 // The bodies of the measured loops, and how many calls are measured together.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
 namespace merker::bench {
+
+// What is compared with each other is measured several times; the middle counts. A virtual machine
+// is not alone on its host.
+inline void severalTimes(benchmark::internal::Benchmark* one) { one->Repetitions(7)->MinTime(0.1); }
 
 constexpr const char* kMixed =
     "      L     MW 12\n      L     MW 14\n      +I\n      L     2\n      *I\n      T     MW 14\n"

@@ -22,7 +22,7 @@ void reference(benchmark::State& state, void (*program)(ReferenceMemory*), std::
   void name(benchmark::State& s) {                                               \
     reference(s, function, static_cast<std::int64_t>(instructionsOfLoop(body))); \
   }                                                                              \
-  BENCHMARK(name)
+  BENCHMARK(name)->Apply(severalTimes)
 LOOP_IN_C(MixedLoopInC, reference_mixed, kMixed);
 LOOP_IN_C(RealsInC, reference_reals, kReals);
 LOOP_IN_C(IndirectInC, reference_indirect, kIndirect);
@@ -30,9 +30,9 @@ LOOP_IN_C(TimersInC, reference_timers, kTimers);
 #undef LOOP_IN_C
 
 void FcCallsInC(benchmark::State& s) { reference(s, reference_function_calls, kCalls); }
-BENCHMARK(FcCallsInC);
+BENCHMARK(FcCallsInC)->Apply(severalTimes);
 void FbCallsInC(benchmark::State& s) { reference(s, reference_function_block_calls, kCalls); }
-BENCHMARK(FbCallsInC);
+BENCHMARK(FbCallsInC)->Apply(severalTimes);
 
 }  // namespace
 }  // namespace merker::bench

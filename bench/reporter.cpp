@@ -58,8 +58,14 @@ bool meets(double value, const Single& row, double speed) {
 }  // namespace
 
 void Reporter::ReportRuns(const std::vector<Run>& runs) {
+  std::vector<const Run*> measured;
   for (const Run& run : runs)
-    if (run.run_type == Run::RT_Iteration) report(run);
+    if (run.run_type == Run::RT_Iteration) measured.push_back(&run);
+  if (measured.empty()) return;
+  const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
+  std::ranges::nth_element(measured, middle, {},
+                           [](const Run* run) { return counter(*run, "items_per_second"); });
+  report(**middle);
 }
 
 void Reporter::report(const Run& run) {

@@ -22,15 +22,15 @@ void instructions(benchmark::State& state, const std::string& source, Engine eng
 }
 
 void Instructions(benchmark::State& s) { instructions(s, mixedSource(), Engine::Interpreter); }
-BENCHMARK(Instructions);
+BENCHMARK(Instructions)->Apply(severalTimes);
 void InstructionsCompiled(benchmark::State& s) { instructions(s, mixedSource(), Engine::Compiled); }
-BENCHMARK(InstructionsCompiled);
+BENCHMARK(InstructionsCompiled)->Apply(severalTimes);
 
 #define BOTH_ENGINES(name, source)                                                        \
   void name(benchmark::State& s) { instructions(s, source, Engine::Interpreter); }        \
-  BENCHMARK(name);                                                                        \
+  BENCHMARK(name)->Apply(severalTimes);                                                   \
   void name##Compiled(benchmark::State& s) { instructions(s, source, Engine::Compiled); } \
-  BENCHMARK(name##Compiled)
+  BENCHMARK(name##Compiled)->Apply(severalTimes)
 BOTH_ENGINES(BitLogic, bitSource());
 BOTH_ENGINES(MixedLoop, loopSource(kMixed));
 BOTH_ENGINES(Reals, loopSource(kReals));
@@ -45,13 +45,13 @@ void calls(benchmark::State& state, Callee callee, Engine engine) {
   if (station.mode() != station::Mode::Run) state.SkipWithError(station.stopReason().c_str());
 }
 void FcCalls(benchmark::State& s) { calls(s, Callee::Function, Engine::Interpreter); }
-BENCHMARK(FcCalls);
+BENCHMARK(FcCalls)->Apply(severalTimes);
 void FcCallsCompiled(benchmark::State& s) { calls(s, Callee::Function, Engine::Compiled); }
-BENCHMARK(FcCallsCompiled);
+BENCHMARK(FcCallsCompiled)->Apply(severalTimes);
 void FbCalls(benchmark::State& s) { calls(s, Callee::FunctionBlock, Engine::Interpreter); }
-BENCHMARK(FbCalls);
+BENCHMARK(FbCalls)->Apply(severalTimes);
 void FbCallsCompiled(benchmark::State& s) { calls(s, Callee::FunctionBlock, Engine::Compiled); }
-BENCHMARK(FbCallsCompiled);
+BENCHMARK(FbCallsCompiled)->Apply(severalTimes);
 
 }  // namespace
 }  // namespace merker::bench
