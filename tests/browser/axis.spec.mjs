@@ -99,7 +99,7 @@ test('its curves go into the trends', async () => {
 });
 
 const first = await serve('technology/axis-first-steps');
-const german = await open(first, 'process?mode=commissioning', { width: 1280, height: 720 });
+const german = await open(first, 'process?mode=commissioning', { width: 1280, height: 720, stays: true });
 const step = (name, on = german) => on.locator(`[data-step="${name}"]`);
 const state = (name, on = german) => step(name, on).getAttribute('data-state');
 const seen = (name, what, on = german) => step(name, on).locator(`[data-seen="${what}"]`).innerText();
@@ -216,7 +216,7 @@ test('its parameters are the pages of the manual', async () => {
 
 // SFB 46, contactors, a play between motor and load.
 const second = await serve('technology/axis-first-steps-contactors');
-const english = await open(second, 'process?mode=commissioning', { language: 'en', width: 1280, height: 720 });
+const english = await open(second, 'process?mode=commissioning', { language: 'en', width: 1280, height: 720, stays: true });
 const press = (name) => english.getByRole('button', { name, exact: true }).click();
 
 test('SFB 46: requirements, contactors, jogging', async () => {

@@ -32,7 +32,7 @@ VAR
 END_VAR
 BEGIN
 END_FUNCTION_BLOCK
-TYPE UDT 1
+TYPE UDT 3
   STRUCT
     Width : INT ;
   END_STRUCT ;
@@ -193,9 +193,9 @@ test('beside KOP and FUP a data block has its data view, a type its declaration;
     await expect(() => actual('Speed'), '1.500000e+000');
     assert.equal(await page.locator('.networks').count(), 0);
     assert.match(await printed(), /^Daten von DB 2[^]*Speed/);
-    await block('UDT 1').click();
-    await until(async () => (await page.locator('.code .cm-activeLine').innerText().catch(() => '')).startsWith('TYPE UDT 1'), 'the type');
-    assert.match(await printed(), /UDT 1[^]*Width : INT/);
+    await block('UDT 3').click();
+    await until(async () => (await page.locator('.code .cm-activeLine').innerText().catch(() => '')).startsWith('TYPE UDT 3'), 'the type');
+    assert.match(await printed(), /UDT 3[^]*Width : INT/);
   }
   await block('OB 1').click();
   await page.locator('[data-network="1"]').waitFor();
