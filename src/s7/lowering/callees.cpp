@@ -65,6 +65,8 @@ std::optional<Shape> Shapes::measure(const Callee& callee, std::uint32_t depth) 
       if (called == nullptr) return std::nullopt;
       shape.size = std::min(shape.size + called->size, kTooMany);
       shape.branches |= called->branches || i.operation == Operation::CC;
+      // At an exit inside of it, the registers of whoever called this block are changed, too.
+      shape.keeps |= called->keeps;
     }
     if (i.operand.kind == mc7::OperandKind::JumpList) return std::nullopt;
     if (i.operand.kind != mc7::OperandKind::Jump) continue;

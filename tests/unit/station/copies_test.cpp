@@ -156,5 +156,31 @@ TEST_F(Copies, TakeNoMoreLocalDataThanCalls) {
   expectSame();
 }
 
+// Behind a jump the innermost block goes on outside of its caller's region: the blocks between have
+// their own frames there, with the registers that they found.
+TEST_F(Copies, BlocksBetweenGiveBackTheDataBlocksThatTheyFound) {
+  const std::string data = "\nSTRUCT w : INT; END_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
+  const auto fc = [](int number, const std::string& body) {
+    return "FUNCTION FC " + std::to_string(number) + " : VOID\nBEGIN\nNETWORK\n" + body +
+           "\nEND_FUNCTION\n";
+  };
+  for (const std::string change : {"AUF DB 11;", "AUF DI 11;", "TDB;", "LAR2 P#M 8.0;"})
+    for (int levels = 1; levels <= 4; ++levels) {
+      std::string text = "DATA_BLOCK DB 10" + data + "DATA_BLOCK DB 11" + data;
+      text += fc(levels, change + " U E 0.7; SPBN e1; L 5;\ne1: NOP 0;");
+      for (int level = levels - 1; level > 0; --level)
+        text += fc(level, "UC FC " + std::to_string(level + 1) + ";");
+      text += ob(1,
+                 "AUF DB 10; AUF DI 10; LAR2 P#M 4.0; UC FC 1; L DBNO; T MW 20; L DINO; T MW 22; "
+                 "TAR2 MD 24;");
+      Plc compiled(text), reference(text);
+      ASSERT_TRUE(compiled->setEngine(Engine::Compiled));
+      for (Plc* plc : {&compiled, &reference}) plc->cycles(3);
+      for (const char* operand : {"MW 20", "MW 22", "MD 24"})
+        EXPECT_EQ(compiled.read(operand), reference.read(operand)) << change << levels;
+      EXPECT_EQ(reference.read("MW 20"), 10u);
+    }
+}
+
 }  // namespace
 }  // namespace merker::station::test
