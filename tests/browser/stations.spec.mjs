@@ -92,6 +92,7 @@ test('a double click on a subnet opens its properties; an address of there is th
   await address('Office').fill('9');
   await page.keyboard.press('Enter');
   await until(() => settings().includes('{station = "Office", address = 9}'), 'address 9 in merker.toml');
+  assert.ok(await address('Office').evaluate((field) => field === document.activeElement), 'the keyboard stays in the field');
   await address('Office').fill('2');
   await page.keyboard.press('Enter');
   await message(page, 'eindeutig');
