@@ -48,7 +48,7 @@ build() {  # build PRESET OPTIONS...
 begin_build() {  # begin_build PRESET
   setsid nice -n 19 bash -c "$(declare -f build); jobs=$jobs; build $1" >"build/$1.build.log" 2>&1 &
   beside=$!
-  trap 'kill -- "-$beside" 2>/dev/null' EXIT
+  trap 'kill -- "-$beside" 2>/dev/null; kill -CONT -- "-$beside" 2>/dev/null' EXIT
 }
 
 end_build() {  # end_build PRESET
@@ -67,11 +67,13 @@ run_ctest() {  # run_ctest NAME PRESET JOBS
   summary=$(failed_of "$log")
   if [ -z "$summary" ]; then count 0 1 "$1"; return 1; fi
   # A browser that shares two processors with compilers may be late for a key. Whether that was all is seen when it is
-  # alone, once; it is told all the same.
+  # alone, once: the build beside it stands still. It is told all the same.
   hasty=$(sed -nE 's/^[[:space:]]+[0-9]+ - (browser_[a-z_]+) .*/\1/p' "$log" | paste -sd '|')
   if [ -n "$hasty" ]; then
     say "failed beside other work, once more alone: $hasty"
+    kill -STOP -- "-$beside" 2>/dev/null
     ctest --preset "$2" -R "^($hasty)\$" --output-on-failure --timeout 600 2>&1 | tee "$log.again"
+    kill -CONT -- "-$beside" 2>/dev/null
     again=$(failed_of "$log.again")
     again=${again:-1 1}  # nothing was said: none passed
     again=$((${again#* } - ${again% *}))

@@ -39,6 +39,8 @@ afterEach(async () => {
 });
 
 const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking']
+  // It ends the process that draws if that had to wait ten seconds for a processor.
+  .concat(['--disable-gpu-watchdog'])
   .concat(['--disable-component-update', '--disable-sync', '--disable-extensions', '--no-first-run'])
   // A page that does not come from the server itself may not talk to this machine otherwise.
   .concat(process.env.MERKER_PAGE ? ['--disable-features=LocalNetworkAccessChecks'] : []);
@@ -83,7 +85,7 @@ function fail(said) {
 let browser;
 async function running() {
   if (!browser) {
-    browser = chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS });
+    browser = chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ARGUMENTS });
     endings.program.push(async () => (await browser).close());
   }
   return browser;
