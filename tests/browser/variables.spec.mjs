@@ -1,6 +1,6 @@
 // The variable table: monitor, modify, force, files (S7-MGR-16).
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
@@ -13,6 +13,14 @@ const status = (operand) => row(operand).locator('.value').innerText();
 async function type(operand) {
   await page.locator('tbody tr').last().locator('input').first().fill(operand);
   await page.keyboard.press('Tab');
+}
+
+const asked = page.getByRole('dialog', { name: 'Änderungen speichern?' });
+/** An empty table; what is not saved goes. */
+async function fresh() {
+  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await until(async () => (await asked.isVisible()) || (await page.locator('tbody tr').count()) === 1, 'the question or an empty table');
+  if (await asked.isVisible()) await asked.getByRole('button', { name: 'Nicht speichern' }).click();
 }
 
 test('operands by address and by symbol show their status', async () => {
@@ -112,7 +120,7 @@ test('a thousand rows are some rows of the page; the last one is reached', async
   });
   await lists('M 200.7');
   assert.ok((await operands()).length < 120, `${(await operands()).length} rows`);
-  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await fresh();
   await expect(() => page.locator('tbody tr').count(), 1);
   await type('MW 20');
   await row('MW 20').locator('.modify input').fill('W#16#1234');
@@ -144,10 +152,37 @@ test('a table is saved as a file of the project and opened again', async () => {
   const table = join(server.project, 'belt.vat');
   await until(() => existsSync(table) && /^MW 20 ; AUTO ; W#16#1234$/m.test(readFileSync(table, 'utf-8')), table);
   await expect(() => page.locator('#variable-table').inputValue(), 'belt.vat');
-  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await fresh();
   await expect(() => page.locator('tbody tr').count(), 1);
   await page.locator('#variable-table').selectOption('belt.vat');
   await expect(async () => (await status('MW 20')).includes('1234'), true);
+});
+
+test('comment lines stay in the table; another one asks about what is not saved', async () => {
+  const path = join(server.project, 'drives.vat');
+  const text = '// operand ; format ; modify value\n// Drive 1: written by Anna\nMW 10 ; DEC ; 5\n\n// Drive 2\nMW 12 ; DEC\n';
+  writeFileSync(path, text);
+  const files = page.getByLabel('Tabelle', { exact: true });
+  await until(() => files.locator('option').allInnerTexts().then((all) => all.includes('drives.vat')), 'the new file');
+  await fresh();
+  await files.selectOption('drives.vat');
+  await row('// Drive 2').waitFor();
+  await row('MW 10').locator('.modify input').fill('6');
+  await files.selectOption('');
+  await accessible(page, 'question');
+  await asked.getByRole('button', { name: 'Abbrechen' }).click();
+  assert.equal(await files.inputValue(), 'drives.vat');
+  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await asked.getByRole('button', { name: 'Speichern', exact: true }).click();
+  await expect(() => files.inputValue(), '');
+  assert.equal(readFileSync(path, 'utf-8'), text.replace('; 5', '; 6'));
+  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await expect(() => page.getByRole('dialog').count(), 0);
+});
+
+test('a value that cannot be read has its reason', async () => {
+  await type('DB99.DBW 0');
+  await row('DB99.DBW 0').getByText('DB 99 ist nicht geladen oder zu kurz.').waitFor();
 });
 
 test('only what can be forced offers it; operands are not cut', async () => {

@@ -28,6 +28,8 @@ export interface Watched {
   text: string;
   /** The value as a number: unsigned bits, REAL as a number; null while unknown. */
   raw: number | null;
+  /** Whether the server has sent it. */
+  sent?: boolean;
 }
 
 const lists = new Map<number, WatchList>();
@@ -72,6 +74,7 @@ export class WatchList {
       if (!item) continue;
       item.text = text;
       item.raw = raw;
+      item.sent = true;
     }
   }
 

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { parseTable, pastedRows, printTable, rangeOf, tablePath } from './table';
+import { unread } from './unread';
 
 const rows = [
   { operand: 'E 0.0', format: 'BOOL', modify: '' },
@@ -11,15 +12,30 @@ test('a table comes back as it was written', () => {
   expect(parseTable(printTable(rows))).toEqual(rows);
 });
 
-test('rows without an operand are not kept', () => {
+test('empty rows at the end are not kept', () => {
   expect(printTable([{ operand: ' ', format: 'HEX', modify: '' }])).toBe('// operand ; format ; modify value\n');
 });
 
-test('comments, empty lines and missing fields are understood', () => {
-  expect(parseTable('// x\r\n\r\n T 1 \r\nMW 2;DEC')).toEqual([
+test('missing fields are understood', () => {
+  expect(parseTable(' T 1 \r\nMW 2;DEC\n\n')).toEqual([
     { operand: 'T 1', format: 'AUTO', modify: '' },
     { operand: 'MW 2', format: 'DEC', modify: '' },
   ]);
+});
+
+test('comments and empty lines between the operands stay', () => {
+  const lines = '// Drive 1; Anna: "5\nMW 10 ; DEC ; 5\n\n// Drive 2\nMW 12 ; DEC\n';
+  expect(printTable(parseTable(lines))).toBe(`// operand ; format ; modify value\n${lines}`);
+  const triggers = '// trigger: monitor begin every; modify now every';
+  expect(printTable(parseTable(printTable(parseTable(lines), triggers)), triggers).match(/trigger/g)).toHaveLength(1);
+});
+
+test('a value that cannot be read has its reason', () => {
+  const text = '?';
+  expect(unread({ text, address: 'DB99.DBW 0', sent: true })).toMatch(/DB 99/);
+  expect(unread({ text, address: 'PEW 256', sent: true })).toMatch(/Baugruppe|module/);
+  expect(unread({ text, address: 'DB99.DBW 0' })).toBe('');
+  expect(unread({ text: 'W#16#0000', address: 'DB1.DBW 0', sent: true })).toBe('');
 });
 
 test('a name becomes a file of the project folder', () => {
@@ -35,6 +51,11 @@ test('lines and columns of a spreadsheet become rows; a single operand is typed 
   ]);
   expect(pastedRows('MW 10;something;7')).toEqual([{ operand: 'MW 10', format: 'AUTO', modify: '7' }]);
   expect(pastedRows('MW 10')).toEqual([]);
+  expect(pastedRows('// Motor\nMB 1..2 ; HEX\n').map(({ operand, format }) => `${operand} ${format}`)).toEqual([
+    '// Motor AUTO',
+    'MB 1 HEX',
+    'MB 2 HEX',
+  ]);
 });
 
 test('a range names each operand in it', () => {

@@ -3,6 +3,7 @@
 
 import { FORMATS } from '../state/formats';
 import { cellsOf, isTable } from '../state/pasted';
+import { TRIGGERS } from './triggers';
 
 export interface Row {
   operand: string;
@@ -13,36 +14,52 @@ export interface Row {
 const known = new Set(FORMATS.map(([name]) => name));
 const HEAD = '// operand ; format ; modify value';
 
+/** A line about the rows below it, as STEP 7's tables have them. */
+export const isComment = (row: Row): boolean => row.operand.trimStart().startsWith('//');
+/** Not for a comment or an empty row. */
+export const hasOperand = (row: Row): boolean => row.operand.trim() !== '' && !isComment(row);
+
+/** Without the empty rows at the end: they are there to be typed into. */
+export function withoutEnd(rows: Row[]): Row[] {
+  let end = rows.length;
+  while (end > 0 && rows[end - 1]!.operand.trim() === '') --end;
+  return rows.slice(0, end);
+}
+
+const lineOf = (row: Row): string =>
+  hasOperand(row) ? [row.operand, row.format, row.modify].join(' ; ').replace(/[ ;]+$/, '') : row.operand.trim();
+
 /** `triggers`: a line about them, or none. */
 export function printTable(rows: Row[], triggers = ''): string {
-  const lines = rows
-    .filter((row) => row.operand.trim())
-    .map((row) => [row.operand, row.format, row.modify].join(' ; ').replace(/[ ;]+$/, ''));
-  return [HEAD, ...(triggers ? [triggers] : []), ...lines, ''].join('\n');
+  return [HEAD, ...(triggers ? [triggers] : []), ...withoutEnd(rows).map(lineOf), ''].join('\n');
 }
 
-/** Lines that begin with // and empty ones are skipped. A semicolon in quotation marks belongs to the operand. */
+/** Lines about the table itself are no rows. A semicolon in quotation marks belongs to the operand. */
 export function parseTable(text: string): Row[] {
-  return text
+  const rows = text
     .split(/\r?\n/)
     .map((line) => line.trim())
-    .filter((line) => line && !line.startsWith('//'))
-    .map((line) => {
-      const [operand = '', format = '', ...modify] =
-        line.match(/(?:"[^"]*"|'[^']*'|[^;])+|;/g)?.reduce(fields, ['']) ?? [];
-      return { operand: operand.trim(), format: format.trim() || 'AUTO', modify: modify.join(';').trim() };
-    });
+    .filter((line) => line !== HEAD && !line.startsWith(TRIGGERS))
+    .map(rowOf);
+  return withoutEnd(rows);
 }
 
-/** Rows from the clipboard: one a line, columns by tabs or semicolons; none for a single operand, which is typed text. */
+function rowOf(line: string): Row {
+  if (line.startsWith('//')) return { operand: line, format: 'AUTO', modify: '' };
+  const [operand = '', format = '', ...modify] = line.match(/(?:"[^"]*"|'[^']*'|[^;])+|;/g)?.reduce(fields, ['']) ?? [];
+  return { operand: operand.trim(), format: format.trim() || 'AUTO', modify: modify.join(';').trim() };
+}
+
+/** Rows from the clipboard: one a line, columns by tabs or semicolons; a range is several. None for a single operand, which is
+ * typed text. */
 export function pastedRows(text: string): Row[] {
   if (!isTable(text) && !text.trim().includes(';')) return [];
   const lines = cellsOf(text).map((cells) => cells.join(' ; '));
-  return parseTable(lines.join('\n')).map(({ operand, format, modify }) =>
-    known.has(format.toUpperCase())
-      ? { operand, format: format.toUpperCase(), modify }
-      : { operand, format: 'AUTO', modify },
-  );
+  return parseTable(lines.join('\n')).flatMap(({ operand, format, modify }) => {
+    const row = { operand, format: known.has(format.toUpperCase()) ? format.toUpperCase() : 'AUTO', modify };
+    const operands = rangeOf(operand);
+    return operands.length > 1 ? operands.map((one) => ({ ...row, operand: one })) : [row];
+  });
 }
 
 const MOST_OF_A_RANGE = 1000;

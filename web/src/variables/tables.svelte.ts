@@ -4,7 +4,7 @@ import { kept } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
 import { pastedInto } from '../state/pasted';
 import { plc } from '../state/plc.svelte';
-import { parseTable, printTable, rangeOf, type Row } from './table';
+import { parseTable, printTable, rangeOf, withoutEnd, type Row } from './table';
 import { atOnce, parseTriggers, printTriggers, type Trigger } from './triggers';
 
 interface Draft {
@@ -12,10 +12,13 @@ interface Draft {
   rows: Row[];
   monitor?: Trigger;
   modify?: Trigger;
+  /** What its file holds. */
+  saved?: string;
 }
 
 const drafts = kept<Record<string, Draft>>('variables', {});
 const KEEP_AFTER_MS = 300;
+const EMPTY = printTable([]);
 const emptyRow = (): Row => ({ operand: '', format: 'AUTO', modify: '' });
 
 /** The table that is being edited; this browser keeps it per project until it is saved as a file of the project. */
@@ -25,6 +28,7 @@ export class Table {
   files = $state<string[]>([]);
   monitor = $state.raw<Trigger>(atOnce);
   modify = $state.raw<Trigger>(atOnce);
+  private saved = EMPTY;
   private project = '';
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -38,6 +42,7 @@ export class Table {
     this.rows = draft?.rows ?? [];
     this.monitor = draft?.monitor ?? atOnce;
     this.modify = draft?.modify ?? atOnce;
+    this.saved = draft?.saved ?? (draft ? '' : EMPTY);
     this.complete();
   }
 
@@ -72,8 +77,7 @@ export class Table {
   }
 
   append(operands: string[]): void {
-    const there = this.rows.filter((row) => row.operand.trim() !== '');
-    this.rows = [...there, ...operands.map((operand) => ({ ...emptyRow(), operand }))];
+    this.rows = [...withoutEnd(this.rows), ...operands.map((operand) => ({ ...emptyRow(), operand }))];
     this.complete();
   }
 
@@ -86,8 +90,8 @@ export class Table {
   keep(): void {
     clearTimeout(this.timer);
     if (!this.project) return;
-    const { path, monitor, modify } = this;
-    const draft = { path, rows: $state.snapshot(this.rows), monitor, modify };
+    const { path, monitor, modify, saved } = this;
+    const draft = { path, rows: $state.snapshot(this.rows), monitor, modify, saved };
     drafts.value = { ...untrack(() => drafts.value), [this.project]: draft };
   }
 
@@ -96,10 +100,21 @@ export class Table {
     if (answer) this.files = answer.files.map((file) => file.path).filter((path) => /\.vat$/i.test(path));
   }
 
+  /** The text of its file. */
+  print(): string {
+    return printTable(this.rows, printTriggers(this.monitor, this.modify));
+  }
+
+  /** Whether something of it is not in its file. */
+  changed(): boolean {
+    return this.print() !== this.saved;
+  }
+
   fresh(): void {
     this.path = '';
     this.rows = [emptyRow()];
     this.monitor = this.modify = atOnce;
+    this.saved = EMPTY;
   }
 
   remove(row: Row): void {
@@ -113,12 +128,13 @@ export class Table {
     this.path = path;
     this.rows = parseTable(file.text);
     Object.assign(this, parseTriggers(file.text));
+    this.saved = this.print();
     this.complete();
   }
 
   /** True if the file holds the table now. */
   async save(path: string): Promise<boolean> {
-    const text = printTable(this.rows, printTriggers(this.monitor, this.modify));
+    const text = this.print();
     const there = this.files.includes(path);
     const old = there ? await attempt(connection.ask('files.read', { path })) : undefined;
     if (there && !old) return false;
@@ -128,6 +144,7 @@ export class Table {
       : connection.ask('files.create', { path, text });
     if ((await attempt(answer)) === undefined) return false;
     this.path = path;
+    this.saved = text;
     return true;
   }
 }

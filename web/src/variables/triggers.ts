@@ -10,11 +10,14 @@ export interface Trigger {
 
 export const atOnce: Trigger = { point: 'now', once: false };
 
+/** How the line of a table's file begins that names them. */
+export const TRIGGERS = '// trigger:';
+
 /** The line of a table's file that says it; none where everything happens at once. */
 export function printTriggers(monitor: Trigger, modify: Trigger): string {
   const text = ({ point, once }: Trigger) => `${point} ${once ? 'once' : 'every'}`;
   if (monitor.point === 'now' && modify.point === 'now') return '';
-  return `// trigger: monitor ${text(monitor)}; modify ${text(modify)}`;
+  return `${TRIGGERS} monitor ${text(monitor)}; modify ${text(modify)}`;
 }
 
 export function parseTriggers(text: string): { monitor: Trigger; modify: Trigger } {
