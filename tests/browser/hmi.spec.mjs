@@ -152,3 +152,28 @@ test('what another browser draws is seen; a line that is no symbol is named', as
   await page.getByText('Zeile 2 der Datei ist kein Symbol.').waitFor();
   await expect(() => page.locator('[data-item]').count(), 1);
 });
+
+test('a copy comes to the back; comments of the file stay', async () => {
+  writeFileSync(join(project, 'Presse.hmi'), '// Drawn by Anna\nnumber ; 20 ; 20 ; 50 ; 40 ; MD 20\n// end\n');
+  await expect(() => page.locator('[data-item]').count(), 1);
+  await grip('number').focus();
+  await page.keyboard.press('Control+d');
+  await expect(() => page.locator('[data-item]').count(), 2);
+  await page.getByRole('button', { name: 'Nach hinten' }).press('Enter');
+  await until(() => /\nnumber ; 40 ; 40 .*\n\/\/ Drawn by Anna\nnumber ; 20 ; 20 .*\n\/\/ end\n$/.test(file()), file);
+});
+
+test('a number is never cut; one that is refused is marked', async () => {
+  const panel = await open(server, 'pictures?file=Presse.hmi&full=1', { width: 1024, height: 768 });
+  await write(page, { 'MD 20': 'L#-2147483647' });
+  const field = panel.getByLabel('Neuer Wert von MD 20').first();
+  await expect(() => field.inputValue(), '-2147483647');
+  const cut = () => field.evaluate(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth);
+  await expect(cut, false);
+  await field.fill('abc');
+  await field.press('Enter');
+  await expect(() => field.getAttribute('aria-invalid'), 'true');
+  await field.fill('5');
+  await field.press('Enter');
+  await expect(() => field.getAttribute('aria-invalid'), null);
+});

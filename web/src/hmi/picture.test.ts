@@ -1,5 +1,8 @@
 import { expect, test } from 'vitest';
 import {
+  constantOf,
+  copied,
+  declared,
   fresh,
   HEIGHT,
   level,
@@ -32,17 +35,46 @@ test('a picture comes back as it was written', () => {
     '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n' +
       'tank ; 40 ; 20 ; 90 ; 140 ; "Level" ; Tank 1 ; 0 ; 27648\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\n',
   );
-  expect(parsePicture(text)).toEqual({ items: [tank, lamp], wrong: [] });
+  expect(parsePicture(text)).toEqual({ items: [tank, lamp], wrong: [], end: [] });
   const odd = { ...lamp, operand: '"a;b"', text: 'one; two "three"\nfour' };
   expect(parsePicture(printPicture([odd])).items[0]).toMatchObject({ operand: '"a;b"', text: "one; two 'three' four" });
 });
 
 test('what is no symbol is named by its line; what is out of the picture is brought in', () => {
   expect(parsePicture('// head\n\ntank ; 1\nwheel ; 0 ; 0 ; 10 ; 10\nlamp ; 5000 ; -20 ; 44 ; 3\n')).toEqual({
-    items: [{ ...lamp, operand: '', x: WIDTH - 40, y: 0, height: 20 }],
+    items: [
+      {
+        ...lamp,
+        operand: '',
+        x: WIDTH - 40,
+        y: 0,
+        height: 20,
+        above: ['// head', '', 'tank ; 1', 'wheel ; 0 ; 0 ; 10 ; 10'],
+      },
+    ],
     wrong: [3, 4],
+    end: [],
   });
   expect(placed({ ...tank, y: 9999 }).y).toBe(HEIGHT - 140);
+});
+
+test('comments and lines that are no symbol stay where they are', () => {
+  const text =
+    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n// Line 1\n\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\nwheel ; 3\n// end\n';
+  const { items, end } = parsePicture(text);
+  expect(printPicture(items, end)).toBe(text);
+  expect(copied(items[0]!)).toEqual({ ...lamp, x: 220, y: 40 });
+});
+
+test('an operator types what the number shows', () => {
+  const typed = (text: string, shown: string, type: string) => Object.values(constantOf(text, shown, type)).join(' ');
+  expect(typed('65000', '65535', 'WORD')).toBe('65000 UDEC');
+  expect(typed('21,5', '1.0', 'REAL')).toBe('21.5 AUTO');
+  expect(typed('21', '1.0', 'REAL')).toBe('21.0 AUTO');
+  expect(typed('5s', 'T#1S', 'TIME')).toBe('T#5s AUTO');
+  expect(typed('T#5s', 'T#1S', 'TIME')).toBe('T#5s AUTO');
+  expect(typed('Hi', "'abc'", 'STRING[10]')).toBe("'Hi' AUTO");
+  expect(typed('-7', '12', 'INT')).toBe('-7 AUTO');
 });
 
 test('a new symbol lies on no other one', () => {
@@ -69,5 +101,11 @@ test('levels and numbers', () => {
   expect(plainNumber('W#16#FFF9', 65529, 16)).toBe('-7');
   expect(plainNumber('DW#16#0000_0010', 16, 32)).toBe('16');
   expect(plainNumber('1.5', 1.5, 32)).toBe('1.5');
+  expect(plainNumber('2.150000e+001', 21.5, 32, 'REAL')).toBe('21.5');
+  expect(declared('MD 20', '', 'DWORD')).toBe('');
+  expect(declared('DB1.DBW 0', '', 'WORD')).toBe('');
+  expect(declared('DB1.W', '', 'WORD')).toBe('WORD');
+  expect(declared('MW 10', 'Level', 'INT')).toBe('INT');
+  expect(plainNumber('W#16#FFFF', 65535, 16, 'WORD')).toBe('65535');
   expect(picturePath(' press 1/2 ')).toBe('press 1-2.hmi');
 });

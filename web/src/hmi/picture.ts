@@ -21,6 +21,8 @@ export interface Item {
   /** Of a level: empty and full. */
   from: number;
   to: number;
+  /** Lines of the file before it that are no symbol: comments, empty ones. */
+  above?: string[];
 }
 
 /** As large as people expect them; a button for a finger. */
@@ -76,25 +78,34 @@ const quoted = (text: string): string =>
   text.includes(';') && !text.startsWith('"') ? `"${text.replace(/"/g, "'")}"` : text;
 const one = (text: string): string => text.replace(/[\r\n]+/g, ' ').trim();
 
-export function printPicture(items: readonly Item[]): string {
+/** `end`: the lines below the last symbol. */
+export function printPicture(items: readonly Item[], end: readonly string[] = []): string {
   const line = ({ kind, x, y, width, height, operand, text, from, to }: Item): string =>
     [kind, x, y, width, height, quoted(one(operand)), quoted(one(text)), ...(hasLevel(kind) ? [from, to] : [])]
       .join(' ; ')
       .replace(/[ ;]+$/, '');
-  return [HEAD, ...items.map(line), ''].join('\n');
+  return [HEAD, ...items.flatMap((item) => [...(item.above ?? []), line(item)]), ...end, ''].join('\n');
 }
 
-/** Lines that are none of a symbol come back by their numbers: the file may have been written by hand. */
-export function parsePicture(text: string): { items: Item[]; wrong: number[] } {
+/** The file may have been written by hand: lines that should be symbols come back by their numbers; all lines stay in the file. */
+export function parsePicture(text: string): { items: Item[]; wrong: number[]; end: string[] } {
   const items: Item[] = [];
   const wrong: number[] = [];
+  let others: string[] = [];
   text.split(/\r?\n/).forEach((line, index) => {
-    if (line.trim() === '' || line.trim().startsWith('//')) return;
-    const item = parsed(line);
-    if (item && items.length < MOST) items.push(item);
-    else wrong.push(index + 1);
+    if (line.trim() === HEAD) return;
+    const plain = line.trim() === '' || line.trim().startsWith('//');
+    const item = plain || items.length === MOST ? undefined : parsed(line);
+    if (item) {
+      items.push(others.length > 0 ? { ...item, above: others } : item);
+      others = [];
+    } else {
+      others.push(line.trimEnd());
+      if (!plain) wrong.push(index + 1);
+    }
   });
-  return { items, wrong };
+  while (others.at(-1) === '') others.pop();
+  return { items, wrong, end: others };
 }
 
 function parsed(line: string): Item | undefined {
@@ -131,9 +142,34 @@ export function signed(raw: number | null, bits: number, type: string): number |
   return Number.isInteger(raw) && raw >= 2 ** (bits - 1) ? raw - 2 ** bits : raw;
 }
 
-/** An operand without a type is shown in hexadecimal elsewhere; on a picture people read numbers. */
-export const plainNumber = (text: string, raw: number | null, bits: number): string =>
-  raw !== null && /^D?[BW]#16#/i.test(text) ? String(signed(raw, bits, '')) : text;
+/** The type that somebody declared: an address without a symbol has only a width. */
+export const declared = (operand: string, symbol: string, type: string): string =>
+  symbol === '' && /^(DB ?\d+\.)?[A-Z]+ ?\d+(\.\d)?$/i.test(operand.trim()) ? '' : type;
+
+/** Bit strings are hexadecimal elsewhere, a REAL has an exponent; on a picture people read numbers. Without a type: with sign. */
+export function plainNumber(text: string, raw: number | null, bits: number, type = ''): string {
+  if (raw === null) return text;
+  if (/^D?[BW]#16#/i.test(text)) return String(signed(raw, bits, type));
+  return /^-?\d\.\d+e[+-]\d+$/i.test(text) ? String(Number(raw.toPrecision(7))) : text;
+}
+
+/** What an operator types, as a constant of the language: 21,5 and 21 for a REAL, 5s for a TIME, words for a STRING. */
+export function constantOf(typed: string, shown: string, type: string): { value: string; format: string } {
+  const value = typed.trim();
+  if (/^(BYTE|WORD|DWORD)$/i.test(type) && /^\d+$/.test(value)) return { value, format: 'UDEC' };
+  if (/^REAL$/i.test(type) && /^[+-]?\d+([.,]\d+)?$/.test(value))
+    return {
+      value: value.includes(',') ? value.replace(',', '.') : value.includes('.') ? value : `${value}.0`,
+      format: 'AUTO',
+    };
+  if (/^(STRING|CHAR)/i.test(type) && !value.startsWith("'")) return { value: `'${value}'`, format: 'AUTO' };
+  const prefix = /^[A-Z0-9]+#(?!16#)/i.exec(shown)?.[0] ?? '';
+  return { value: value.includes('#') ? value : prefix + value, format: 'AUTO' };
+}
+
+/** A copy beside the original; what is said about that one stays there. */
+export const copied = ({ above: _, ...item }: Item): Item =>
+  placed({ ...item, x: item.x + 2 * GRID, y: item.y + 2 * GRID });
 
 /** A path for a picture that a user named. */
 export function picturePath(name: string): string {

@@ -13,6 +13,7 @@ export class OpenPicture {
   /** What is shown and written; none until a file has been read. */
   path = $state('');
   private revision = 0;
+  private end: string[] = [];
   private before: Item[][] = [];
   private saving: Promise<void> = Promise.resolve();
   private unsaved = 0;
@@ -26,7 +27,7 @@ export class OpenPicture {
     this.undos = this.before.length;
     this.path = path;
     this.revision = stored.revision;
-    ({ items: this.items, wrong: this.wrong } = parsePicture(stored.text));
+    ({ items: this.items, wrong: this.wrong, end: this.end } = parsePicture(stored.text));
   }
 
   change(items: Item[]): void {
@@ -52,7 +53,7 @@ export class OpenPicture {
     this.items = items.map(placed);
     this.unsaved++;
     const { path } = this;
-    const text = printPicture(this.items);
+    const text = printPicture(this.items, this.end);
     // One after the other: each names the revision that the last one made.
     this.saving = this.saving.then(() => this.write(path, text));
   }
