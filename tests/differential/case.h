@@ -46,5 +46,8 @@ Case timerCase(std::uint32_t seed);
 Case swapCase(std::uint32_t seed);
 // A block that calls another one, and itself, until the nesting depth ends.
 Case nestingCase();
+// Calls in calls of short blocks that change data blocks and AR2, with jumps and ends among them;
+// no blocks but those of interrupts if it does not compile.
+Case nestedCase(std::uint32_t seed);
 
 }  // namespace merker::differential

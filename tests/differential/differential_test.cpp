@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uint32_t kProgress = 100'000, kParts = 8;
 #ifdef NDEBUG
-constexpr std::uint32_t kPerRow = 12, kPrograms = 24'000;
+constexpr std::uint32_t kPerRow = 12, kPrograms = 24'000, kNested = 1'200;
 #else
-constexpr std::uint32_t kPerRow = 4,
-                        kPrograms = 1'000;  // with sanitizers each takes ten times as long
+constexpr std::uint32_t kPerRow = 4, kPrograms = 1'000,
+                        kNested = 100;  // with sanitizers each takes ten times as long
 #endif
 
 std::string report(const Case& c) {
@@ -97,6 +97,20 @@ TEST_F(Differential, ExchangedBlocksHaveEachOthersLengths) {
 }
 
 TEST_F(Differential, BlocksNestToTheSameDepth) { ASSERT_EQ(difference(nestingCase()), ""); }
+
+// A block copied into its caller's region gives back what its caller had, wherever it is left.
+TEST_F(Differential, CallsInCallsGiveBackRegisters) {
+  const Seeds s = seeds();
+  const std::uint32_t end = s.first + (s.wished ? s.count : kNested);
+  int found = 0;
+  for (std::uint32_t seed = s.first; seed < end && found < 3; ++seed) {
+    const Case c = nestedCase(seed);
+    ASSERT_TRUE(c.blocks.contains({BlockKind::OB, 1})) << "seed " << seed << " does not compile";
+    if (difference(c).empty()) continue;
+    ADD_FAILURE() << "seed " << seed << '\n' << report(c);
+    ++found;
+  }
+}
 
 // In parts, for those who share the work (GTEST_TOTAL_SHARDS).
 class DifferentialPart : public Differential, public testing::WithParamInterface<std::uint32_t> {};
