@@ -1,14 +1,14 @@
 # One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
 # library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
-#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [TENS] [FAST]
+#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [TOGETHER <n>] [FAST]
 #                 [QUICK] [PRECOMPILED <name>] [NOT_PRECOMPILED] [OPTIONS <compiler options...>])
-# APART, SINGLE, TENS: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
+# APART, SINGLE, TOGETHER: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
 # by file, because GCC inlines less in a large unit. QUICK: no program waits for it, so it is built quickly, see
 # merker_quick_build. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones. NOT_PRECOMPILED: the module
 # has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE;TENS;FAST;QUICK;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART;OPTIONS" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;FAST;QUICK;NOT_PRECOMPILED" "PRECOMPILED;TOGETHER" "SOURCES;USES;APART;OPTIONS" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -41,21 +41,26 @@ function(merker_module name)
     if(M_SINGLE OR (M_FAST AND CMAKE_BUILD_TYPE STREQUAL "Release"))
       set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
     elseif(CMAKE_UNITY_BUILD)
-      merker_together(merker_${name} ${M_APART})
-      if(M_TENS)
-        set_target_properties(merker_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 10)
-      endif()
+      merker_together(merker_${name} "${M_TOGETHER}" ${M_APART})
     endif()
   endif()
 endfunction()
 
-# Ten files in one go compile in the time of two, thirty in that of four: merker_together(<target> <files to compile alone...>).
-# These have a helper with the name of a helper in another file of the target; TENS: too many for thirty files at once;
-# SINGLE: too many for ten, no unity build. The
-# preset `tidy` compiles each file of src/ by itself, without precompiled headers: each includes what it needs.
+# Ten files in one go compile in the time of two, thirty in that of four:
+# merker_together(<target> <n> <files to compile alone...>). The latter have a helper with the name of a helper in another file
+# of the target; n: so many files in one go; empty: as many as the preset says. Files with large templates (JSON, command
+# line) gain from more, modules with many equal names need less; SINGLE: no unity build. The preset `tidy` compiles each file
+# of src/ by itself, without precompiled headers: each includes what it needs.
 set(MERKER_TOGETHER 30 CACHE STRING "files that are compiled in one go")
-function(merker_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${MERKER_TOGETHER})
+set(MERKER_TOGETHER_MOST 100 CACHE STRING "files that are compiled in one go at most")
+function(merker_together target count)
+  if(NOT count)
+    set(count ${MERKER_TOGETHER})
+  endif()
+  if(count GREATER MERKER_TOGETHER_MOST)
+    set(count ${MERKER_TOGETHER_MOST})
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

@@ -30,10 +30,6 @@ Json interrupt(const monitor::InterruptStackEntry& entry) {
           {"mcr", s7 ? Json(entry.mcr.size()) : Json(nullptr)}};
 }
 
-bool withoutDi(const monitor::Stacks& stacks) {
-  return !stacks.interrupts.empty() && !stacks.interrupts.front().registers.di;
-}
-
 // Null: the machine has none.
 Json orNone(std::uint32_t value) { return value == 0 ? Json(nullptr) : Json(value); }
 
@@ -62,7 +58,7 @@ Json toJson(const monitor::Stacks& stacks) {
   for (const monitor::BlockStackEntry& entry : stacks.blocks)
     result["blocks"].push_back({{"place", toJson(entry.place)},
                                 {"db", entry.db},
-                                {"di", withoutDi(stacks) ? Json(nullptr) : Json(entry.di)}});
+                                {"di", stacks.withoutDi() ? Json(nullptr) : Json(entry.di)}});
   for (const monitor::InterruptStackEntry& entry : stacks.interrupts)
     result["interrupts"].push_back(interrupt(entry));
   for (const monitor::LocalStackEntry& entry : stacks.locals)

@@ -22,10 +22,6 @@ std::string dump(const std::vector<std::uint8_t>& bytes) {
 // STEP 5 has no binary result, no address registers and no DI.
 bool hasStep5Registers(const monitor::Registers& r) { return !r.br; }
 
-bool withoutDi(const monitor::Stacks& stacks) {
-  return !stacks.interrupts.empty() && hasStep5Registers(stacks.interrupts.front().registers);
-}
-
 // As the screen of an interrupt stack names them (S5-ERR-08).
 std::string step5Registers(const monitor::Registers& r) {
   std::string text;
@@ -54,7 +50,7 @@ std::string step7Registers(const monitor::Registers& r) {
   return text + fmt::format("DB {}  DI {}\n", blockNumber(r.db), blockNumber(r.di.value_or(0)));
 }
 
-std::string cycleTimes(const monitor::ModuleInformation& info) {
+std::string cycleTimesText(const monitor::ModuleInformation& info) {
   std::string text;
   if (info.raster && info.raster->length.ns != 0)
     text = fmt::format("  every {}  program {} in the last one ({}.{} %)",
@@ -80,9 +76,9 @@ std::string blockStackText(const monitor::Stacks& stacks) {
   for (std::size_t i = 0; i < stacks.blocks.size(); ++i) {
     const monitor::BlockStackEntry& entry = stacks.blocks[i];
     const std::string db = blockNumber(entry.db);
-    text +=
-        fmt::format("{:>3}  {:<40} DB {}\n", i, monitor::toString(entry.place),
-                    withoutDi(stacks) ? db : fmt::format("{:<8} DI {}", db, blockNumber(entry.di)));
+    text += fmt::format(
+        "{:>3}  {:<40} DB {}\n", i, monitor::toString(entry.place),
+        stacks.withoutDi() ? db : fmt::format("{:<8} DI {}", db, blockNumber(entry.di)));
   }
   return text.empty() ? "no block runs\n" : text;
 }
@@ -131,7 +127,7 @@ std::string informationText(const monitor::ModuleInformation& info) {
   text += fmt::format("\ntime {}{}{}\n", simulator::formatTime(info.time),
                       info.clock.empty() ? "" : "  clock ", info.clock);
   text += fmt::format("cycles {}  instructions {}{}\n", info.cycles, info.instructions,
-                      cycleTimes(info));
+                      cycleTimesText(info));
   text += fmt::format("blocks {}", info.blocks);
   if (info.loadMemory != 0) text += fmt::format("  load memory {} bytes", info.loadMemory);
   text += fmt::format("  work memory {} of {} bytes", info.workMemoryUsed, info.workMemory);

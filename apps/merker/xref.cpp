@@ -54,7 +54,7 @@ nlohmann::ordered_json json(const std::vector<CrossReference>& list) {
     rows.push_back({{"operand", row.operand},
                     {"symbol", row.symbol},
                     {"use", monitor::name(row.use)},
-                    {"place", toJson(row.place)},
+                    {"place", app::toJson(row.place)},
                     {"statement", row.statement},
                     {"instruction", row.instruction}});
   return rows;

@@ -8,12 +8,12 @@ namespace merker::workbench {
 namespace {
 
 // A channel of a digital module is a bit, one of an analog module a word of the periphery.
-struct Place {
+struct TerminalPlace {
   std::string text;
   address::Operand key;
 };
 
-Place placeOf(io::Side side, std::uint32_t start, std::uint32_t channel) {
+TerminalPlace placeOf(io::Side side, std::uint32_t start, std::uint32_t channel) {
   const bool output = isOutput(side);
   if (isDigital(side))
     return {fmt::format("{} {}.{}", output ? "A" : "E", start + channel / 8, channel % 8),
@@ -31,7 +31,7 @@ TerminalOperand terminalOperand(const io::Configuration& configuration, io::Term
   const bool output = isOutput(terminal.side);
   const auto start = output ? module.outputStart : module.inputStart;
   if (!start) return {};
-  const Place place = placeOf(terminal.side, *start, terminal.channel);
+  const TerminalPlace place = placeOf(terminal.side, *start, terminal.channel);
   const source::Symbol* symbol = monitor::findSymbol(place.key, output, symbols);
   return {place.text, symbol == nullptr ? "" : symbol->name};
 }

@@ -38,6 +38,8 @@ struct Stacks {
   std::vector<InterruptStackEntry> interrupts;  // the running class first
   std::vector<LocalStackEntry> locals;          // as `blocks`
   bool empty() const { return blocks.empty(); }
+  // STEP 5 knows one data block at a time.
+  bool withoutDi() const { return !interrupts.empty() && !interrupts.front().registers.di; }
 };
 
 // What the block of a frame has open: index into machine.frames, the last one is the running block.

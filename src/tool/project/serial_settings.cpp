@@ -46,26 +46,26 @@ constexpr Need kNeeds[] = {{"length", "end = \"count\"", kCounted},
 struct KeyOf {
   std::string_view parameter, key;
 };
-constexpr KeyOf kKeys[] = {{"data bits", "data_bits"},
-                           {"stop bits", "stop_bits"},
-                           {"flow control", "flow_control"},
-                           {"character delay time", "character_delay"},
-                           {"acknowledgement delay time", "acknowledge_delay"},
-                           {"telegram length", "length"},
-                           {"number of end characters", "end_characters"},
-                           {"end character 1", "end_characters"},
-                           {"end character 2", "end_characters"},
-                           {"number of block check characters", "check_characters"},
-                           {"XON", "xon"},
-                           {"XOFF", "xoff"},
-                           {"waiting time for XON", "xon_wait"},
-                           {"set-up attempts", "setup_attempts"},
-                           {"transmission attempts", "transmission_attempts"},
-                           {"buffered telegrams", "telegrams"}};
+constexpr KeyOf kParameterKeys[] = {{"data bits", "data_bits"},
+                                    {"stop bits", "stop_bits"},
+                                    {"flow control", "flow_control"},
+                                    {"character delay time", "character_delay"},
+                                    {"acknowledgement delay time", "acknowledge_delay"},
+                                    {"telegram length", "length"},
+                                    {"number of end characters", "end_characters"},
+                                    {"end character 1", "end_characters"},
+                                    {"end character 2", "end_characters"},
+                                    {"number of block check characters", "check_characters"},
+                                    {"XON", "xon"},
+                                    {"XOFF", "xoff"},
+                                    {"waiting time for XON", "xon_wait"},
+                                    {"set-up attempts", "setup_attempts"},
+                                    {"transmission attempts", "transmission_attempts"},
+                                    {"buffered telegrams", "telegrams"}};
 
 std::string_view keyOf(std::string_view parameter) {
-  const auto* found = std::ranges::find(kKeys, parameter, &KeyOf::parameter);
-  return found == std::end(kKeys) ? parameter : found->key;
+  const auto* found = std::ranges::find(kParameterKeys, parameter, &KeyOf::parameter);
+  return found == std::end(kParameterKeys) ? parameter : found->key;
 }
 
 struct SerialReader {

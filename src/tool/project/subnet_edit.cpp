@@ -14,16 +14,17 @@ namespace merker::project {
 namespace {
 
 // Without a name a subnet is called as its kind (subnet_settings.cpp, dp_subnet_settings.cpp).
-struct Kind {
+struct KindOfSubnet {
   std::string_view keyword, name;
 };
-constexpr Kind kKinds[] = {{"mpi", "MPI"}, {"ethernet", "Ethernet"}, {"profibus", "PROFIBUS"}};
+constexpr KindOfSubnet kKindsOfSubnet[] = {
+    {"mpi", "MPI"}, {"ethernet", "Ethernet"}, {"profibus", "PROFIBUS"}};
 
-const Kind& kindIn(const toml::table& subnet) {
+const KindOfSubnet& kindIn(const toml::table& subnet) {
   const std::string_view keyword = subnet["kind"].value_or(std::string_view());
-  for (const Kind& one : kKinds)
+  for (const KindOfSubnet& one : kKindsOfSubnet)
     if (equalsIgnoreCase(one.keyword, keyword)) return one;
-  return kKinds[0];
+  return kKindsOfSubnet[0];
 }
 
 std::string_view nameIn(const toml::table& subnet) {
@@ -79,7 +80,7 @@ std::string addressText(std::string_view address) {
   return isNumber(address) ? std::string(address) : quoted(address);
 }
 
-std::string nodeText(std::string_view station, std::string_view address, const Kind& kind) {
+std::string nodeText(std::string_view station, std::string_view address, const KindOfSubnet& kind) {
   const std::string rest = kind.keyword == "profibus" ? ", master = true" : "";
   return fmt::format("{{station = {}, address = {}}}", quoted(station),
                      addressText(address) + rest);

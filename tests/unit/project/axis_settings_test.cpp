@@ -9,7 +9,7 @@
 namespace merker::project {
 namespace {
 
-struct Read {
+struct AxisRead {
   Settings settings;
   Problems problems;
   const io::AxisChannel* axis() const {
@@ -20,8 +20,8 @@ struct Read {
   }
 };
 
-Read readFile(const std::string& text, std::string_view cpu = "314C-2 PtP") {
-  Read read;
+AxisRead readFile(const std::string& text, std::string_view cpu = "314C-2 PtP") {
+  AxisRead read;
   const source::SourceFile file("merker.toml",
                                 "[cpu]\nmodel = \"" + std::string(cpu) + "\"\n" + text);
   read.settings = readSettings(file, read.problems, std::nullopt);
@@ -31,10 +31,10 @@ Read readFile(const std::string& text, std::string_view cpu = "314C-2 PtP") {
 const std::string kOff =
     "[[module]]\nslot = \"2.3\"\n[[module.channel]]\noutput = 0\nrange = \"off\"\n";
 
-Read analog(const std::string& keys) {
+AxisRead analog(const std::string& keys) {
   return readFile(kOff + "[[module]]\nslot = \"2.5\"\ndrive = \"analog\"\n" + keys);
 }
-Read digital(const std::string& keys) {
+AxisRead digital(const std::string& keys) {
   return readFile("[[module]]\nslot = \"2.5\"\ndrive = \"digital\"\n" + keys);
 }
 
@@ -44,7 +44,7 @@ Read digital(const std::string& keys) {
 // POS-PARAM-21, POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-25, POS-PARAM-26, POS-PARAM-27:
 // the defaults of each page; nothing else is a parameter.
 TEST(AxisSettings, Defaults) {
-  const Read read = analog("");
+  const AxisRead read = analog("");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
   ASSERT_NE(read.axis(), nullptr);
   const io::AxisChannel& a = *read.axis();
@@ -77,7 +77,7 @@ TEST(AxisSettings, Defaults) {
 // POS-PARAM-18, POS-PARAM-19, POS-PARAM-21, POS-PARAM-24, POS-PARAM-25: each key reaches its
 // parameter.
 TEST(AxisSettings, EveryKeyOfAnAnalogAxis) {
-  const Read read = analog(
+  const AxisRead read = analog(
       "target_range = 51\nmonitoring_time = \"2001ms\"\nmax_speed = 10000\ncreep_speed = 500\n"
       "cut_off_delay = \"20ms\"\nmax_frequency = \"30kHz\"\nswitch_frequency = \"1kHz\"\n"
       "voltage = \"0..10V\"\nlow_limit = -500\nhigh_limit = 700\n"
@@ -110,7 +110,7 @@ TEST(AxisSettings, EveryKeyOfAnAnalogAxis) {
 
 // POS-PARAM-11, POS-PARAM-17, POS-PARAM-31, POS-OPEN-09
 TEST(AxisSettings, DigitalRotaryAxis) {
-  const Read read = digital("control_type = 3\naxis = \"rotary\"\nrotary_end = 3600\n");
+  const AxisRead read = digital("control_type = 3\naxis = \"rotary\"\nrotary_end = 3600\n");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
   EXPECT_EQ(read.axis()->output, io::AxisOutput::Digital);
   EXPECT_EQ(read.axis()->digitalControl, 3);
@@ -120,7 +120,7 @@ TEST(AxisSettings, DigitalRotaryAxis) {
   EXPECT_FALSE(digital("axis = \"rotary\"\nrotary_end = 1000000000\n").problems.hasErrors());
 }
 
-struct Wrong {
+struct WrongAxis {
   const char *keys, *message;
   bool digital = false;
 };
@@ -130,7 +130,7 @@ struct Wrong {
 // POS-PARAM-19, POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-31: each refusal has its
 // reason.
 TEST(AxisSettings, Refusals) {
-  const Wrong kWrong[] = {
+  const WrongAxis kWrong[] = {
       {"target_range = 200000001\n", "'target_range' must be a whole number from 0 to 200000000"},
       {"monitoring_time = \"101s\"\n", "'monitoring_time' must be"},
       {"max_speed = 9\n", "'max_speed' must be a whole number from 10 to 1000000"},
@@ -174,8 +174,8 @@ TEST(AxisSettings, Refusals) {
       {"diagnostics = true\n", "interrupts = \"diagnostics\""},
       {"range = \"±10V\"\n", "has no"},
       {"speed = 7\n", "unknown key 'speed'"}};
-  for (const Wrong& wrong : kWrong) {
-    const Read read = wrong.digital ? digital(wrong.keys) : analog(wrong.keys);
+  for (const WrongAxis& wrong : kWrong) {
+    const AxisRead read = wrong.digital ? digital(wrong.keys) : analog(wrong.keys);
     EXPECT_TRUE(read.problems.hasErrors()) << wrong.keys;
     EXPECT_NE(read.first().find(wrong.message), std::string::npos) << wrong.keys << read.first();
   }
@@ -186,7 +186,7 @@ TEST(AxisSettings, WhatIsAcceptedIsSound) {
   for (const char* keys :
        {"", "target_range = 0\n", "low_limit = -1\nhigh_limit = 0\ntarget_range = 1\n",
         "axis = \"rotary\"\nrotary_end = 50\n", "creep_speed = 1000\n"}) {
-    const Read read = analog(keys);
+    const AxisRead read = analog(keys);
     if (read.problems.hasErrors()) continue;
     EXPECT_EQ(positioning::flaw(*read.axis()), std::nullopt) << keys;
   }
@@ -194,7 +194,7 @@ TEST(AxisSettings, WhatIsAcceptedIsSound) {
 
 // POS-OVW-07
 TEST(AxisSettings, TheAnalogOutputMustBeOff) {
-  const Read on = readFile("[[module]]\nslot = \"2.5\"\ndrive = \"analog\"\n");
+  const AxisRead on = readFile("[[module]]\nslot = \"2.5\"\ndrive = \"analog\"\n");
   EXPECT_NE(on.first().find("range = \"off\" of output 0 in slot 2.3"), std::string::npos)
       << on.first();
   EXPECT_FALSE(analog("").problems.hasErrors());
@@ -235,7 +235,7 @@ TEST(AxisSettings, WhichCpuHasAnAxis) {
 // POS-PARAM-27: the monitor, its switch and the interrupt selection; one alone is no interrupt.
 TEST(AxisSettings, ReportsThatNeverCome) {
   const auto warned = [](const std::string& keys) {
-    const Read read = analog(keys);
+    const AxisRead read = analog(keys);
     EXPECT_FALSE(read.problems.hasErrors()) << read.first();
     return read.first();
   };
@@ -250,7 +250,7 @@ TEST(AxisSettings, ReportsThatNeverCome) {
 // POS-PARAM-28: one turn of the encoder and one of the axis are in an integer ratio.
 TEST(AxisSettings, ZeroMarksThatWander) {
   const auto rotary = [](int end, int increments) {
-    const Read read = digital(
+    const AxisRead read = digital(
         fmt::format("axis = \"rotary\"\nrotary_end = {}\nincrements = {}\n", end, increments));
     EXPECT_FALSE(read.problems.hasErrors()) << read.first();
     return read.first();
@@ -265,7 +265,7 @@ TEST(AxisSettings, ZeroMarksThatWander) {
 // POS-ENC-10: four counts each period of the encoder.
 TEST(AxisSettings, SpeedsThatTheInputsCannotFollow) {
   const auto warned = [](const std::string& keys) {
-    const Read read = analog(keys);
+    const AxisRead read = analog(keys);
     EXPECT_FALSE(read.problems.hasErrors()) << read.first();
     return read.first();
   };
@@ -280,16 +280,16 @@ TEST(AxisSettings, SpeedsThatTheInputsCannotFollow) {
 
 // Keys of an axis without one, and in another slot.
 TEST(AxisSettings, KeysWithoutAnAxis) {
-  const Read none = readFile("[[module]]\nslot = \"2.5\"\nincrements = 500\n");
+  const AxisRead none = readFile("[[module]]\nslot = \"2.5\"\nincrements = 500\n");
   EXPECT_NE(none.first().find("'increments' needs drive"), std::string::npos) << none.first();
-  const Read other = readFile("[[module]]\nslot = \"2.4\"\nincrements = 500\n");
+  const AxisRead other = readFile("[[module]]\nslot = \"2.4\"\nincrements = 500\n");
   EXPECT_NE(other.first().find("unknown key 'increments'"), std::string::npos) << other.first();
   EXPECT_EQ(readFile("[[module]]\nslot = \"2.5\"\ndrive = \"none\"\n").axis(), nullptr);
 }
 
 // POS-PARAM-30, POS-OPEN-02: LADDR is the smaller address.
 TEST(AxisSettings, AddressesCanBeSet) {
-  const Read read =
+  const AxisRead read =
       readFile("[[module]]\nslot = \"2.5\"\ndrive = \"digital\"\ninput = 800\noutput = 816\n");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
   const io::Module* module = read.settings.hardware->find("2.5");

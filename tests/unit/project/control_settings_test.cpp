@@ -6,7 +6,7 @@
 namespace merker::project {
 namespace {
 
-struct Read {
+struct ControlRead {
   Settings settings;
   Problems problems;
   // "2:1 P0703" of the only problem.
@@ -19,8 +19,8 @@ struct Read {
 };
 
 // The tables begin in line 3.
-Read read(const std::string& tables) {
-  Read result;
+ControlRead readControl(const std::string& tables) {
+  ControlRead result;
   result.settings = readSettings(
       source::SourceFile("merker.toml", "[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n" + tables),
       result.problems);
@@ -28,7 +28,7 @@ Read read(const std::string& tables) {
 }
 
 TEST(ControlSettings, DataOfTheNc) {
-  const Read r = read(R"([nc]
+  const ControlRead r = readControl(R"([nc]
 input_system = "inch"
 alarms = [3016, 2041]
 machining_stop = true
@@ -66,15 +66,16 @@ machining_stop = true
 }
 
 TEST(ControlSettings, WrongNumbersHaveTheirPlace) {
-  EXPECT_EQ(read("[nc.feed]\n1 = \"1.2.3\"\n").problem().substr(0, 4), "4:5 ");
-  EXPECT_EQ(read("[nc.feed]\n1 = \"123456789\"\n").problem().substr(0, 4), "4:5 ");
-  EXPECT_EQ(read("[nc.feed]\n1 = 12\n").problem().substr(0, 4), "4:5 ");
-  EXPECT_EQ(read("[nc.feed]\n1 = \"\"\n").problem().substr(0, 4), "4:5 ");
-  EXPECT_EQ(read("[nc.feed]\n6 = \"1\"\n").problem(), "4:1 P0703");
-  EXPECT_NE(read("[nc.tool.100]\n1 = \"1\"\n").problem().find("P0703"), std::string::npos);
-  EXPECT_EQ(read("[nc.parameters.0]\n50 = \"1\"\n").problem(), "4:1 P0703");
-  EXPECT_NE(read("[nc.parameters.3]\n50 = \"1\"\n").problem().find("P0703"), std::string::npos);
-  EXPECT_EQ(read("[nc]\nfed = 1\n").problem(), "4:1 P0703");
+  EXPECT_EQ(readControl("[nc.feed]\n1 = \"1.2.3\"\n").problem().substr(0, 4), "4:5 ");
+  EXPECT_EQ(readControl("[nc.feed]\n1 = \"123456789\"\n").problem().substr(0, 4), "4:5 ");
+  EXPECT_EQ(readControl("[nc.feed]\n1 = 12\n").problem().substr(0, 4), "4:5 ");
+  EXPECT_EQ(readControl("[nc.feed]\n1 = \"\"\n").problem().substr(0, 4), "4:5 ");
+  EXPECT_EQ(readControl("[nc.feed]\n6 = \"1\"\n").problem(), "4:1 P0703");
+  EXPECT_NE(readControl("[nc.tool.100]\n1 = \"1\"\n").problem().find("P0703"), std::string::npos);
+  EXPECT_EQ(readControl("[nc.parameters.0]\n50 = \"1\"\n").problem(), "4:1 P0703");
+  EXPECT_NE(readControl("[nc.parameters.3]\n50 = \"1\"\n").problem().find("P0703"),
+            std::string::npos);
+  EXPECT_EQ(readControl("[nc]\nfed = 1\n").problem(), "4:1 P0703");
 }
 
 }  // namespace

@@ -8,15 +8,15 @@
 namespace merker::project {
 namespace {
 
-struct Read {
+struct ChannelRead {
   std::string problem;  // "line:column code", the first one
   std::string words;
   std::size_t problems = 0;
   io::Parameters parameters;
 };
 
-Read read(std::string_view channel, std::string_view model = "314C-2 PtP",
-          std::string_view selection = "process") {
+ChannelRead readChannel(std::string_view channel, std::string_view model = "314C-2 PtP",
+                        std::string_view selection = "process") {
   // The channel's keys begin in line 7.
   const std::string text = fmt::format(
       "cpu.model = \"{}\"\n[[module]]\nslot = \"2.4\"\ninterrupts = \"{}\"\n"
@@ -24,7 +24,7 @@ Read read(std::string_view channel, std::string_view model = "314C-2 PtP",
       model, selection, channel);
   Problems problems;
   const Settings settings = readSettings(source::SourceFile("merker.toml", text), problems);
-  Read result;
+  ChannelRead result;
   result.problems = problems.size();
   if (!problems.empty()) {
     const Problem& first = problems.list()[0];
@@ -39,7 +39,7 @@ Read read(std::string_view channel, std::string_view model = "314C-2 PtP",
 }
 
 io::CountChannel good(std::string_view channel) {
-  const Read result = read(channel);
+  const ChannelRead result = readChannel(channel);
   EXPECT_EQ(result.problems, 0u) << channel << ": " << result.words;
   return result.parameters.counters[0];
 }
@@ -116,7 +116,7 @@ TEST(CountingSettings, InterruptsAreNamed) {
     EXPECT_TRUE(c.*row.flag) << row.cause;
     EXPECT_EQ(set, 1) << row.cause;
   }
-  const io::Parameters none = read("mode = \"endless\"\n", "314C-2 PtP", "none").parameters;
+  const io::Parameters none = readChannel("mode = \"endless\"\n", "314C-2 PtP", "none").parameters;
   EXPECT_FALSE(none.hardwareInterrupt);
   EXPECT_FALSE(none.diagnosticInterrupt);
 }
@@ -124,7 +124,7 @@ TEST(CountingSettings, InterruptsAreNamed) {
 // What is selected and can never come is a warning.
 TEST(CountingSettings, InterruptsThatNeverCome) {
   const auto words = [](std::string_view channel, std::string_view selection = "process") {
-    const Read result = read(channel, "314C-2 PtP", selection);
+    const ChannelRead result = readChannel(channel, "314C-2 PtP", selection);
     return result.problem + ' ' + result.words;
   };
   EXPECT_NE(words("mode = \"endless\"\ninterrupts = [\"gate opened\"]\n").find("hardware_gate"),
@@ -179,7 +179,7 @@ TEST(CountingSettings, InterruptSelection) {
   EXPECT_EQ(selection("2.2", "process"), "3 P0735");
 }
 
-struct Wrong {
+struct WrongChannel {
   std::string_view text, problem, words;
 };
 
@@ -187,7 +187,7 @@ struct Wrong {
 // CNT-PARAM-17, CNT-PARAM-19, CNT-PARAM-20, CNT-PARAM-21, CNT-PARAM-22, CNT-PARAM-25,
 // CNT-PARAM-32, CNT-PARAM-33, CNT-PARAM-35, CNT-PARAM-36, CNT-OP-14
 TEST(CountingSettings, WrongOnesSayWhereAndWhatWouldBeRight) {
-  const Wrong rows[] = {
+  const WrongChannel rows[] = {
       {"mode = \"endless\"\nmain_direction = \"forward\"\n", "8:1 P0744", "periodic"},
       {"mode = \"once\"\nend_value = 10\n", "8:1 P0744", "forward"},
       {"mode = \"once\"\nmain_direction = \"forward\"\nend_value = 1\n", "9:13 P0704", "2"},
@@ -245,8 +245,8 @@ TEST(CountingSettings, WrongOnesSayWhereAndWhatWouldBeRight) {
       {"mode = \"pwm\"\nminimum_pulse = 1\n", "8:17 P0704", "2"},
       {"mode = \"pwm\"\nmax_frequency = \"100kHz\"\n", "8:17 P0737", "60kHz"},
       {"mode = \"pwm\"\nhardware_gate = 2\n", "8:17 P0704", "true"}};
-  for (const Wrong& row : rows) {
-    const Read result = read(row.text);
+  for (const WrongChannel& row : rows) {
+    const ChannelRead result = readChannel(row.text);
     EXPECT_EQ(result.problem, row.problem) << row.text << result.words;
     EXPECT_NE(result.words.find(row.words), std::string::npos) << result.words;
   }
@@ -254,11 +254,13 @@ TEST(CountingSettings, WrongOnesSayWhereAndWhatWouldBeRight) {
 
 // CNT-PARAM-08, CNT-PARAM-21, CNT-PARAM-34, CNT-OVW-01
 TEST(CountingSettings, LimitsOfTheModel) {
-  EXPECT_EQ(read("mode = \"endless\"\nmax_frequency = \"30kHz\"\n", "312C").problem, "8:17 P0737");
-  EXPECT_EQ(read("mode = \"frequency\"\nhigh_limit = 30000001\n", "313C").problem, "8:14 P0704");
-  EXPECT_EQ(read("mode = \"endless\"\n[[module.channel]]\nnumber = 2\n", "312C").problem,
+  EXPECT_EQ(readChannel("mode = \"endless\"\nmax_frequency = \"30kHz\"\n", "312C").problem,
+            "8:17 P0737");
+  EXPECT_EQ(readChannel("mode = \"frequency\"\nhigh_limit = 30000001\n", "313C").problem,
+            "8:14 P0704");
+  EXPECT_EQ(readChannel("mode = \"endless\"\n[[module.channel]]\nnumber = 2\n", "312C").problem,
             "9:10 P0738");
-  EXPECT_EQ(read("[[module.channel]]\nnumber = 0\n").problem, "8:10 P0745");
+  EXPECT_EQ(readChannel("[[module.channel]]\nnumber = 0\n").problem, "8:10 P0745");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace merker::project {
 namespace {
 
-Settings read(std::string text, const CpuModel* model = nullptr) {
+Settings readHardware(std::string text, const CpuModel* model = nullptr) {
   Problems problems;
   const std::optional<Model> chosen = model ? std::optional(Model{model, nullptr}) : std::nullopt;
   Settings settings =
@@ -15,13 +15,13 @@ Settings read(std::string text, const CpuModel* model = nullptr) {
 }
 
 TEST(Hardware, withoutTablesThereIsNone) {
-  EXPECT_FALSE(read("[cpu]\nmodel = \"314C-2 DP\"\n").hardware.has_value());
-  EXPECT_EQ(read("[hardware]\n").hardware->modules.size(), 4u);
+  EXPECT_FALSE(readHardware("[cpu]\nmodel = \"314C-2 DP\"\n").hardware.has_value());
+  EXPECT_EQ(readHardware("[hardware]\n").hardware->modules.size(), 4u);
 }
 
 // S7-HWCFG-08
 TEST(Hardware, everyCpuParameter) {
-  const CpuParameters p = read(R"([cpu]
+  const CpuParameters p = readHardware(R"([cpu]
 cycle_monitoring = "300ms"
 minimum_cycle = "20ms"
 communication_load = 30
@@ -64,7 +64,7 @@ start = "DT#1994-01-01-00:00:30"
 
 // S7-HWCFG-03, S7-HWCFG-09
 TEST(Hardware, everyModuleParameter) {
-  const Settings settings = read(R"(
+  const Settings settings = readHardware(R"(
 [[module]]
 slot = 2.2
 name = "Panel"
@@ -129,7 +129,7 @@ substitute = [0, 7]
 
 TEST(Hardware, modelOfTheCommandLine) {
   const Settings settings =
-      read("[cpu]\nmodel = \"314C-2 PtP\"\n[hardware]\n", findCpuModel("312C"));
+      readHardware("[cpu]\nmodel = \"314C-2 PtP\"\n[hardware]\n", findCpuModel("312C"));
   EXPECT_EQ(settings.model->name, "CPU 312C");
   EXPECT_EQ(settings.hardware->modules.size(), 2u);
 }

@@ -7,7 +7,7 @@
 namespace merker::project {
 namespace {
 
-struct Wrong {
+struct WrongLine {
   std::string_view name;
   std::string_view text;     // merker.toml
   std::string_view problem;  // "line:column code"
@@ -18,7 +18,7 @@ struct Wrong {
 #define SECOND "[[plant]]\nname = \"B\"\nkind = \"first order\"\n"
 #define BOARD "[hardware]\n"
 
-constexpr Wrong kWrong[] = {
+constexpr WrongLine kWrong[] = {
     {"noKind", "[[plant]]\nname = \"Oven\"\n", "1:1 P0760", "first order"},
     {"noName", "[[plant]]\nkind = \"first order\"\n", "1:1 P0760", "name"},
     {"unknownKind", "[[plant]]\nname = \"Oven\"\nkind = \"oven\"\n", "3:8 P0761", "first order"},
@@ -58,7 +58,7 @@ constexpr Wrong kWrong[] = {
      "different"},
 };
 
-class WrongPlant : public testing::TestWithParam<Wrong> {};
+class WrongPlant : public testing::TestWithParam<WrongLine> {};
 
 TEST_P(WrongPlant, isOneProblemWithItsPlace) {
   Problems problems;

@@ -5,7 +5,7 @@
 namespace merker::project {
 namespace {
 
-struct Read {
+struct SettingsRead {
   Settings settings;
   Problems problems;
   // "2:1 P0703" of the only problem.
@@ -17,15 +17,15 @@ struct Read {
   }
 };
 
-Read read(std::string text) {
-  Read result;
+SettingsRead readText(std::string text) {
+  SettingsRead result;
   result.settings =
       readSettings(source::SourceFile("merker.toml", std::move(text)), result.problems);
   return result;
 }
 
 TEST(Settings, AllKeysAreOptional) {
-  const Read r = read("");
+  const SettingsRead r = readText("");
   EXPECT_TRUE(r.problems.empty());
   EXPECT_EQ(r.settings.model, &defaultCpuModel());
   EXPECT_FALSE(r.settings.sources.has_value());
@@ -35,14 +35,14 @@ TEST(Settings, AllKeysAreOptional) {
 
 // S7-MGR-01, S7-NET-03: a new CPU has 2; 0 and 1 belong to others.
 TEST(Settings, TheMpiAddress) {
-  EXPECT_EQ(read("").settings.mpiAddress, 2u);
-  EXPECT_EQ(read("[cpu]\nmpi_address = 126").settings.mpiAddress, 126u);
-  EXPECT_EQ(read("[cpu]\nmpi_address = 1").problem(), "2:15 P0704");
-  EXPECT_EQ(read("[cpu]\nmpi_address = 127").problem(), "2:15 P0704");
+  EXPECT_EQ(readText("").settings.mpiAddress, 2u);
+  EXPECT_EQ(readText("[cpu]\nmpi_address = 126").settings.mpiAddress, 126u);
+  EXPECT_EQ(readText("[cpu]\nmpi_address = 1").problem(), "2:15 P0704");
+  EXPECT_EQ(readText("[cpu]\nmpi_address = 127").problem(), "2:15 P0704");
 }
 
 TEST(Settings, EveryKey) {
-  const Read r = read(R"([project]
+  const SettingsRead r = readText(R"([project]
 name = "Plant"
 [program]
 sources = ["main.awl", "lib/**/*.awl"]
@@ -63,23 +63,24 @@ clock = "DT#1990-01-02-00:00:01.500"
 
 // S7-LIM-05, S7-LIM-01
 TEST(Settings, CommunicationHasTheConnectionsOfTheModel) {
-  EXPECT_EQ(read("").settings.communication.connections, 12u);
-  EXPECT_EQ(read("[cpu]\nmodel = \"312C\"").settings.communication.connections, 6u);
-  EXPECT_EQ(read("[cpu]\nmodel = \"SINUMERIK 810 GA3\"").settings.communication.connections, 12u);
-  const auto own = read(
+  EXPECT_EQ(readText("").settings.communication.connections, 12u);
+  EXPECT_EQ(readText("[cpu]\nmodel = \"312C\"").settings.communication.connections, 6u);
+  EXPECT_EQ(readText("[cpu]\nmodel = \"SINUMERIK 810 GA3\"").settings.communication.connections,
+            12u);
+  const auto own = readText(
       "[communication]\nconnections = 8\npg = 2\nop = 3\nbasic = 3\npdu = 480\n"
       "strict_slot = true\naddress = \"10102\"\n");
   EXPECT_TRUE(own.problems.empty());
   const CommunicationParameters wanted{8, 2, 3, 3, 480, true, "10102"};
   EXPECT_EQ(own.settings.communication, wanted);
-  const auto all = read("[communication]\nconnections = \"unlimited\"\n");
+  const auto all = readText("[communication]\nconnections = \"unlimited\"\n");
   EXPECT_TRUE(all.problems.empty());
   EXPECT_FALSE(all.settings.communication.connections);
 }
 
 TEST(Settings, WrongCommunication) {
   const auto wrong = [](const std::string& line) {
-    return read("[communication]\n" + line + "\n").problem();
+    return readText("[communication]\n" + line + "\n").problem();
   };
   EXPECT_EQ(wrong("conections = 3").substr(0, 9), "2:1 P0703");
   EXPECT_EQ(wrong("connections = 13"), "2:15 P0704");
@@ -105,14 +106,14 @@ TEST(Settings, WrongCommunication) {
 }
 
 TEST(Settings, ProtectionStandsWithTheCpuOrWithItsConnections) {
-  const auto here = read("[communication]\nprotection = 2\npassword = \"secret\"\n");
+  const auto here = readText("[communication]\nprotection = 2\npassword = \"secret\"\n");
   EXPECT_TRUE(here.problems.empty());
   EXPECT_EQ(here.settings.parameters.protection, 2);
   EXPECT_EQ(here.settings.parameters.password, "secret");
-  EXPECT_EQ(read("[communication]\nprotection = 2\n").problem().substr(0, 10), "2:14 P0744");
-  EXPECT_EQ(read("[cpu]\npassword = \"a\"\n[communication]\npassword = \"b\"\n").problem(),
+  EXPECT_EQ(readText("[communication]\nprotection = 2\n").problem().substr(0, 10), "2:14 P0744");
+  EXPECT_EQ(readText("[cpu]\npassword = \"a\"\n[communication]\npassword = \"b\"\n").problem(),
             "4:12 P0704");
-  EXPECT_EQ(read("[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n[communication]\nprotection = 1\n")
+  EXPECT_EQ(readText("[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n[communication]\nprotection = 1\n")
                 .problem()
                 .substr(0, 9),
             "4:1 P0703");
@@ -120,7 +121,7 @@ TEST(Settings, ProtectionStandsWithTheCpuOrWithItsConnections) {
 
 // S7-NETPRO-08
 TEST(Settings, ConfiguredConnections) {
-  const auto read1 = read(
+  const auto read1 = readText(
       "[[connection]]\nid = \"W#16#A\"\npartner = \"tcp://127.0.0.1:10102\"\nslot = 3\n"
       "[[connection]]\nid = 2\npartner = \"tcp://192.168.0.9\"\nactive = false\n"
       "local_tsap = \"11.02\"\npartner_tsap = \"1F.63\"\n"
@@ -139,7 +140,7 @@ TEST(Settings, ConfiguredConnections) {
 
 TEST(Settings, WrongConnections) {
   const auto wrong = [](const std::string& lines) {
-    return read("[[connection]]\n" + lines + "\n").problem();
+    return readText("[[connection]]\n" + lines + "\n").problem();
   };
   const std::string id = "id = 1\n", partner = "partner = \"tcp://127.0.0.1:102\"\n";
   EXPECT_EQ(wrong(partner + "id = \"W#16#0\""), "3:6 P0704");
@@ -162,29 +163,29 @@ TEST(Settings, WrongConnections) {
             "10:14 P0704");
   std::string many = "[communication]\nconnections = 4\n";
   for (int i = 1; i <= 3; ++i) many += "[[connection]]\nid = " + std::to_string(i) + "\n" + partner;
-  EXPECT_EQ(read(many).problem(), "10:6 P0704");
+  EXPECT_EQ(readText(many).problem(), "10:6 P0704");
 }
 
 TEST(Settings, UnknownKeysHaveTheirPlace) {
-  EXPECT_EQ(read("[projekt]\n").problem().substr(0, 9), "1:2 P0703");
-  EXPECT_EQ(read("[cpu]\n  modell = \"x\"\n").problem(), "2:3 P0703");
-  EXPECT_EQ(read("name = 1\n").problem(), "1:1 P0703");
-  EXPECT_NE(read("[cpu]\nmodell = \"x\"\n").problems.list()[0].message.find("model, clock"),
+  EXPECT_EQ(readText("[projekt]\n").problem().substr(0, 9), "1:2 P0703");
+  EXPECT_EQ(readText("[cpu]\n  modell = \"x\"\n").problem(), "2:3 P0703");
+  EXPECT_EQ(readText("name = 1\n").problem(), "1:1 P0703");
+  EXPECT_NE(readText("[cpu]\nmodell = \"x\"\n").problems.list()[0].message.find("model, clock"),
             std::string::npos);
 }
 
 TEST(Settings, WrongValues) {
-  EXPECT_EQ(read("[project]\nname = 5\n").problem(), "2:8 P0704");
-  EXPECT_EQ(read("[program]\nsources = \"a.awl\"\n").problem(), "2:11 P0704");
-  EXPECT_EQ(read("[program]\nsources = [\"a.awl\", 5]\n").problem(), "2:21 P0704");
-  EXPECT_EQ(read("[cpu]\nmodel = \"317\"\n").problem(), "2:9 P0705");
-  EXPECT_EQ(read("project = 1\n").problem(), "1:1 P0704");
-  EXPECT_EQ(read("[cpu]\nclock = 2005-03-01\n").problem(), "2:9 P0704");
-  EXPECT_EQ(read("[cpu]\nclock = \"DT#2005-13-01-00:00:00\"\n").problems.size(), 1u);
+  EXPECT_EQ(readText("[project]\nname = 5\n").problem(), "2:8 P0704");
+  EXPECT_EQ(readText("[program]\nsources = \"a.awl\"\n").problem(), "2:11 P0704");
+  EXPECT_EQ(readText("[program]\nsources = [\"a.awl\", 5]\n").problem(), "2:21 P0704");
+  EXPECT_EQ(readText("[cpu]\nmodel = \"317\"\n").problem(), "2:9 P0705");
+  EXPECT_EQ(readText("project = 1\n").problem(), "1:1 P0704");
+  EXPECT_EQ(readText("[cpu]\nclock = 2005-03-01\n").problem(), "2:9 P0704");
+  EXPECT_EQ(readText("[cpu]\nclock = \"DT#2005-13-01-00:00:00\"\n").problems.size(), 1u);
 }
 
 TEST(Settings, WhatIsNoToml) {
-  const Read r = read("[cpu]\nmodel = \n");
+  const SettingsRead r = readText("[cpu]\nmodel = \n");
   ASSERT_EQ(r.problems.size(), 1u);
   EXPECT_EQ(r.problems.list()[0].code, ProblemCode::P0702);
   EXPECT_EQ(r.problems.list()[0].position.line, 2u);

@@ -6,7 +6,7 @@
 namespace merker::serial {
 namespace {
 
-constexpr Instant at(std::int64_t ms) { return Instant{} + Duration::milliseconds(ms); }
+constexpr Instant instant(std::int64_t ms) { return Instant{} + Duration::milliseconds(ms); }
 
 Bytes all(Partner& partner) { return partner.takeAll(); }
 
@@ -18,14 +18,14 @@ Parameters procedure() {
 
 TEST(SerialPartner, CharactersGoBothWays) {
   Coupling coupling(defaults(Protocol::Ascii));
-  ASSERT_TRUE(coupling.partner().send(hex("414243"), at(10)));
-  coupling.advance(at(10));
-  coupling.advance(at(100));
+  ASSERT_TRUE(coupling.partner().send(hex("414243"), instant(10)));
+  coupling.advance(instant(10));
+  coupling.advance(instant(100));
   const auto entry = coupling.interface().take();
   ASSERT_TRUE(entry);
   EXPECT_EQ(text(entry->telegram), "41 42 43");
-  coupling.interface().send(hex("0102"), at(100));
-  coupling.advance(at(200));
+  coupling.interface().send(hex("0102"), instant(100));
+  coupling.advance(instant(200));
   EXPECT_TRUE(coupling.partner().take(hex("01")));
   EXPECT_FALSE(coupling.partner().take(hex("03")));
   EXPECT_TRUE(coupling.partner().take(hex("02")));
@@ -34,12 +34,12 @@ TEST(SerialPartner, CharactersGoBothWays) {
 
 TEST(SerialPartner, AnswersWhatEndsSo) {
   Coupling coupling(procedure());
-  coupling.advance(at(10));
+  coupling.advance(instant(10));
   EXPECT_EQ(text(all(coupling.partner())), "15");
   coupling.partner().answer({hex("02"), hex("10"), Duration::milliseconds(3)});
   coupling.partner().answer({hex("4110 03 52"), hex("10"), {}});
-  coupling.interface().send(hex("41"), at(10));
-  coupling.advance(at(100));
+  coupling.interface().send(hex("41"), instant(10));
+  coupling.advance(instant(100));
   EXPECT_EQ(text(all(coupling.partner())), "02 41 10 03 52");
   EXPECT_EQ(number(coupling.interface().outbox().takeEnd()), "0000");
 }
@@ -48,10 +48,10 @@ TEST(SerialPartner, SpeaksAProtocolOfItsOwn) {
   Coupling coupling(procedure());
   ProcedureParameters other = procedure().procedure;
   other.highPriority = false;
-  coupling.partner().speak(Partner::Speaks::Procedure, other, at(0));
+  coupling.partner().speak(Partner::Speaks::Procedure, other, instant(0));
   coupling.partner().answer({hex("5A"), hex("5B 10"), {}});
-  coupling.interface().send(hex("5A 01"), at(100));
-  coupling.advance(at(500));
+  coupling.interface().send(hex("5A 01"), instant(100));
+  coupling.advance(instant(500));
   EXPECT_TRUE(coupling.partner().take(hex("5A 01")));
   const auto entry = coupling.interface().take();
   ASSERT_TRUE(entry);
@@ -64,12 +64,12 @@ TEST(SerialPartner, ServesAndFetchesOverRk512) {
   Coupling coupling(p);
   ProcedureParameters other = p.procedure;
   other.highPriority = false;
-  coupling.partner().speak(Partner::Speaks::ComputerLink, other, at(0));
+  coupling.partner().speak(Partner::Speaks::ComputerLink, other, instant(0));
   coupling.partner().memory().set('D', 10, 0, hex("01020304"));
   const LinkJob job{.fetch = true, .block = 10, .length = 4};
-  coupling.interface().link()->begin(job, at(100));
-  coupling.advance(at(1'000));
-  const auto fetched = coupling.interface().link()->takeFetched(at(1'000));
+  coupling.interface().link()->begin(job, instant(100));
+  coupling.advance(instant(1'000));
+  const auto fetched = coupling.interface().link()->takeFetched(instant(1'000));
   ASSERT_TRUE(fetched);
   EXPECT_EQ(text(*fetched), "01 02 03 04");
 }
@@ -77,13 +77,13 @@ TEST(SerialPartner, ServesAndFetchesOverRk512) {
 // A hostile sender fills no memory.
 TEST(SerialPartner, KeepsNoMoreThanSoMuch) {
   Coupling coupling(defaults(Protocol::Ascii));
-  EXPECT_TRUE(coupling.partner().send(Bytes(Partner::kMost, 1), at(0)));
-  EXPECT_FALSE(coupling.partner().send(hex("01"), at(0)));
+  EXPECT_TRUE(coupling.partner().send(Bytes(Partner::kMost, 1), instant(0)));
+  EXPECT_FALSE(coupling.partner().send(hex("01"), instant(0)));
   EXPECT_EQ(coupling.partner().room(), 0U);
   for (std::int64_t i = 1; i <= 200; ++i) {
     if (coupling.interface().outbox().free())
-      coupling.interface().send(Bytes(1024, 2), at(i * 1'200));
-    coupling.advance(at(i * 1'200));
+      coupling.interface().send(Bytes(1024, 2), instant(i * 1'200));
+    coupling.advance(instant(i * 1'200));
     coupling.interface().outbox().takeEnd();
   }
   EXPECT_LE(coupling.partner().received().size(), Partner::kMost);
@@ -103,26 +103,26 @@ TEST(SerialCoupling, ABreakIsToldOnceComingAndGoing) {
   Parameters p = defaults(Protocol::Ascii);
   p.diagnosticInterrupt = true;
   Coupling coupling(p);
-  coupling.cut(Coupling::End::Cpu, true, at(10));
+  coupling.cut(Coupling::End::Cpu, true, instant(10));
   ASSERT_NE(coupling.next(), Instant::never());
-  coupling.advance(at(20));
+  coupling.advance(instant(20));
   EXPECT_EQ(coupling.takeWireBreak(), true);
   EXPECT_EQ(coupling.takeWireBreak(), std::nullopt);
-  coupling.cut(Coupling::End::Cpu, false, at(30));
-  coupling.advance(at(40));
+  coupling.cut(Coupling::End::Cpu, false, instant(30));
+  coupling.advance(instant(40));
   EXPECT_EQ(coupling.takeWireBreak(), false);
 }
 
 TEST(SerialCoupling, WithoutSupplyNothingIsSentAndTheBufferIsLost) {
   Coupling coupling(procedure());
-  coupling.advance(at(10));
+  coupling.advance(instant(10));
   all(coupling.partner());
-  coupling.supply(false, at(10));
-  coupling.partner().send(hex("02"), at(20));
-  coupling.advance(at(1'000));
+  coupling.supply(false, instant(10));
+  coupling.partner().send(hex("02"), instant(20));
+  coupling.advance(instant(1'000));
   EXPECT_EQ(text(all(coupling.partner())), "");
-  coupling.supply(true, at(1'000));
-  coupling.advance(at(1'100));
+  coupling.supply(true, instant(1'000));
+  coupling.advance(instant(1'100));
   EXPECT_EQ(text(all(coupling.partner())), "15");  // the driver starts anew
 }
 
@@ -131,11 +131,11 @@ TEST(SerialCoupling, PartnerSendsAgainWhenTheSupplyIsBack) {
   Coupling coupling(procedure());
   ProcedureParameters other = procedure().procedure;
   other.highPriority = false;
-  coupling.partner().speak(Partner::Speaks::Procedure, other, at(0));
-  coupling.supply(false, at(100));
-  coupling.supply(true, at(300));
-  coupling.partner().send(hex("41"), at(500));
-  coupling.advance(at(1'000));
+  coupling.partner().speak(Partner::Speaks::Procedure, other, instant(0));
+  coupling.supply(false, instant(100));
+  coupling.supply(true, instant(300));
+  coupling.partner().send(hex("41"), instant(500));
+  coupling.advance(instant(1'000));
   EXPECT_EQ(number(coupling.partner().ended()), "0000");
   ASSERT_TRUE(coupling.interface().take());
 }
@@ -143,11 +143,11 @@ TEST(SerialCoupling, PartnerSendsAgainWhenTheSupplyIsBack) {
 // PTP-P3964-26: at once, also while nothing is being sent: the CPU does not hear its STX
 TEST(SerialPartner, BreakEndsItsTelegram) {
   Coupling coupling(procedure());
-  coupling.partner().speak(Partner::Speaks::Procedure, procedure().procedure, at(0));
-  coupling.cut(Coupling::End::Cpu, true, at(50));
-  coupling.partner().send(hex("41"), at(50));
-  coupling.cut(Coupling::End::Partner, true, at(100));
-  coupling.advance(at(110));
+  coupling.partner().speak(Partner::Speaks::Procedure, procedure().procedure, instant(0));
+  coupling.cut(Coupling::End::Cpu, true, instant(50));
+  coupling.partner().send(hex("41"), instant(50));
+  coupling.cut(Coupling::End::Partner, true, instant(100));
+  coupling.advance(instant(110));
   EXPECT_EQ(number(coupling.partner().ended()), "080D");
 }
 
@@ -258,13 +258,13 @@ TEST(SerialDecoder, FaultyCharactersAndBreaks) {
 TEST(SerialCoupling, SeesFaultsAndBreaks) {
   Coupling coupling(defaults(Protocol::Ascii));
   coupling.disturb(Coupling::End::Partner, 1, {.kind = Fault::Kind::Parity});
-  coupling.partner().send(hex("4142"), at(10));
-  coupling.advance(at(10));
-  coupling.advance(at(100));
-  coupling.cut(Coupling::End::Cpu, true, at(100));
-  coupling.advance(at(200));
-  coupling.cut(Coupling::End::Cpu, false, at(200));
-  coupling.advance(at(300));
+  coupling.partner().send(hex("4142"), instant(10));
+  coupling.advance(instant(10));
+  coupling.advance(instant(100));
+  coupling.cut(Coupling::End::Cpu, true, instant(100));
+  coupling.advance(instant(200));
+  coupling.cut(Coupling::End::Cpu, false, instant(200));
+  coupling.advance(instant(300));
   std::string seen;
   for (const Sighting& one : coupling.sightings())
     seen += fmt::format("{} {} {}\n", one.port, nameOf(one), faultsOf(one));
@@ -276,12 +276,12 @@ TEST(SerialPartner, HasOneJobAtATime) {
   Coupling coupling(parameters);
   ProcedureParameters other = parameters.procedure;
   other.highPriority = false;
-  coupling.partner().speak(Partner::Speaks::ComputerLink, other, at(0));
+  coupling.partner().speak(Partner::Speaks::ComputerLink, other, instant(0));
   const LinkJob job{.fetch = true, .type = 'D', .block = 10, .length = 2};
-  EXPECT_TRUE(coupling.partner().begin(job, {}, at(10)));
-  EXPECT_FALSE(coupling.partner().begin(job, {}, at(10)));
-  coupling.partner().speak(Partner::Speaks::Characters, other, at(20));
-  EXPECT_FALSE(coupling.partner().begin(job, {}, at(20)));
+  EXPECT_TRUE(coupling.partner().begin(job, {}, instant(10)));
+  EXPECT_FALSE(coupling.partner().begin(job, {}, instant(10)));
+  coupling.partner().speak(Partner::Speaks::Characters, other, instant(20));
+  EXPECT_FALSE(coupling.partner().begin(job, {}, instant(20)));
 }
 
 }  // namespace

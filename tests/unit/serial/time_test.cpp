@@ -11,12 +11,12 @@
 namespace merker::serial {
 namespace {
 
-constexpr std::uint32_t kRates[] = {38400, 19200, 9600, 4800, 2400, 1200, 600, 300};
+constexpr std::uint32_t kMeasuredRates[] = {38400, 19200, 9600, 4800, 2400, 1200, 600, 300};
 
 struct Row {
   std::string protocol;
   std::uint16_t bytes = 0;
-  std::vector<double> measured;  // ms, in the order of kRates
+  std::vector<double> measured;  // ms, in the order of kMeasuredRates
 };
 
 std::vector<Row> rows() {
@@ -117,13 +117,14 @@ TEST(SerialTimes, AreThoseMeasuredInTheManual) {
   for (const Row& row : all) {
     ASSERT_EQ(row.measured.size(), 8U);
     for (std::size_t i = 0; i < 8; ++i) {
-      const double time = simulated(row, kRates[i]), measured = row.measured[i];
+      const double time = simulated(row, kMeasuredRates[i]), measured = row.measured[i];
       const double least =
-          static_cast<double>(characters(row)) * 11e3 / static_cast<double>(kRates[i]);
-      EXPECT_GE(time, least - 0.001) << row.protocol << " " << row.bytes << " " << kRates[i];
+          static_cast<double>(characters(row)) * 11e3 / static_cast<double>(kMeasuredRates[i]);
+      EXPECT_GE(time, least - 0.001)
+          << row.protocol << " " << row.bytes << " " << kMeasuredRates[i];
       if (excluded(row, measured)) continue;
       EXPECT_LE(std::abs(time - measured), std::max(measured / 10, 8.0))
-          << row.protocol << " " << row.bytes << " at " << kRates[i] << ": " << time;
+          << row.protocol << " " << row.bytes << " at " << kMeasuredRates[i] << ": " << time;
     }
   }
 }

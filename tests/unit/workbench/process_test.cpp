@@ -3,7 +3,7 @@
 namespace merker::workbench::test {
 namespace {
 
-constexpr const char* kSettings = R"(
+constexpr const char* kProcessSettings = R"(
 [[module]]
 type = "6ES7 331-7KF02-0AB0"
 slot = 4
@@ -32,7 +32,7 @@ TEST(Process, WithoutPlantsThereIsNothing) {
 }
 
 TEST(Process, InputsAreSetAndOutputsMove) {
-  Bench bench(kProgram, kSettings);
+  Bench bench(kProgram, kProcessSettings);
   const Json oven = bench.call("process.list")["plants"][0];
   EXPECT_EQ(oven["name"], "Oven");
   EXPECT_EQ(oven["kind"], "first order");
@@ -57,7 +57,7 @@ TEST(Process, InputsAreSetAndOutputsMove) {
 // Pressed as long as the pointer holds it: nobody holds it when the page is gone.
 TEST(Process, WhatABrowserHeldIsLetGoWhenItHasGone) {
   for (const bool held : {true, false}) {
-    Bench bench(kProgram, kSettings);
+    Bench bench(kProgram, kProcessSettings);
     bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 30}, {"held", held}});
     bench.workbench.closed(1);
     const Json oven = bench.call("process.list")["plants"][0];
@@ -66,7 +66,7 @@ TEST(Process, WhatABrowserHeldIsLetGoWhenItHasGone) {
 }
 
 TEST(Process, AValueBeyondItsRangeIsRefused) {
-  Bench bench(kProgram, kSettings);
+  Bench bench(kProgram, kProcessSettings);
   const auto set = [&](double to) {
     return bench.ask("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", to}});
   };
@@ -115,7 +115,7 @@ wire = { PRESSED = "Out.DO8", CONTACT = "In.DI9" }
 }
 
 TEST(Process, SensorsStickAndPlantsBeginAgain) {
-  Bench bench(kProgram, kSettings);
+  Bench bench(kProgram, kProcessSettings);
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
   bench.run(Duration::seconds(10));
   bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", true}});
@@ -144,7 +144,7 @@ TEST(Process, SensorsStickAndPlantsBeginAgain) {
 }
 
 TEST(Process, CurvesShowPlantsToo) {
-  Bench bench(kProgram, kSettings);
+  Bench bench(kProgram, kProcessSettings);
   const Json items = Json::array({Json{{"operand", "plant.Oven.PV"}}});
   bench.call("trend.set", {{"list", 1}, {"items", items}, {"everyMs", 100}});
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});

@@ -26,7 +26,7 @@ std::map<std::string, Json> rowsOf(Bench& bench, const std::string& text) {
   return rowsOf(bench.call("hardware.edit", {{"text", text}}));
 }
 
-std::string pagesOf(Bench& bench, const std::string& text) {
+std::string serialPagesOf(Bench& bench, const std::string& text) {
   std::string pages;
   const Json plan = bench.call("hardware.edit", {{"text", text}});
   for (const Json& slot : plan["racks"][0]["slots"])
@@ -41,10 +41,11 @@ std::string pagesOf(Bench& bench, const std::string& text) {
 // PTP-PARAM-01, PTP-PARAM-02, PTP-PARAM-34, PTP-PARAM-35, PTP-OVW-02: RK 512 buffers nothing.
 TEST(SerialRows, EachProtocolHasThePagesOfTheManual) {
   Bench bench;
-  EXPECT_EQ(pagesOf(bench, kPlain), "general addresses basic transmission end reception interface");
-  EXPECT_EQ(pagesOf(bench, withSerial("protocol = \"3964R\"\n")),
+  EXPECT_EQ(serialPagesOf(bench, kPlain),
+            "general addresses basic transmission end reception interface");
+  EXPECT_EQ(serialPagesOf(bench, withSerial("protocol = \"3964R\"\n")),
             "general addresses basic transmission telegram reception interface");
-  EXPECT_EQ(pagesOf(bench, withSerial("protocol = \"RK512\"\n")),
+  EXPECT_EQ(serialPagesOf(bench, withSerial("protocol = \"RK512\"\n")),
             "general addresses basic transmission telegram interface");
   auto rows = rowsOf(bench, kPlain);
   EXPECT_EQ(rows["diagnostics"]["page"], "basic");
