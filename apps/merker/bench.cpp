@@ -13,7 +13,7 @@
 #include "engine_option.h"
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
-#include "plc/quiet_cycles.h"
+#include "quiet_reasons.h"
 #include "scenario/duration.h"
 #include "scenario/start.h"
 
@@ -118,23 +118,6 @@ int bench(const BenchOptions& options, controller::Controller& plc, double secon
   return plc.stoppedByFault() ? stopped("the CPU went to STOP: " + plc.stopReason()) : kGood;
 }
 
-// How many cycles of so much virtual time are the same as the one before, and why the others are
-// not.
-int tellWhy(controller::Controller& plc, Duration time) {
-  auto* const quiet = controller::capability<controller::QuietCycles>(plc);
-  if (quiet == nullptr)
-    return stopped(fmt::format("{} has no {}", plc.modelName(), controller::QuietCycles::kName));
-  if (const std::string reason = simulator::startFresh(plc); !reason.empty())
-    return stopped(reason);
-  const std::uint64_t before = plc.cycles();
-  plc.advanceTo(plc.now() + time);
-  const std::uint64_t all = plc.cycles() - before, passed = quiet->cyclesPassedOver();
-  std::cout << fmt::format("{} cycles, {} computed, {} passed over\n", all, all - passed, passed);
-  for (const auto& reason : quiet->whyComputed())
-    std::cout << fmt::format("{:10}  {}\n", reason.cycles, reason.text);
-  return plc.stoppedByFault() ? stopped("the CPU went to STOP: " + plc.stopReason()) : kGood;
-}
-
 // A control works without OB 1, too; there is nothing to measure then.
 bool lacksOb1(const Build& built) {
   return built.isListing() && !built.listings.contains({mc5::BlockType::Ob, 1});
@@ -155,7 +138,10 @@ int bench(const BenchOptions& options) {
     std::cerr << "merker bench: " << options.path << ": the program has no OB 1 to measure\n";
     return kProblems;
   }
-  if (options.why) return tellWhy(*built.controller(), *time);
+  if (options.why) {
+    const std::string problem = tellWhy(built, *time);
+    return problem.empty() ? kGood : stopped(problem);
+  }
   return bench(options, *built.controller(), static_cast<double>(time->ns) / 1e9);
 }
 

@@ -84,12 +84,32 @@ class Quiet(Case):
         self.assertGreater(passed, 20 * computed)
 
     def test_it_says_what_prevented_it(self):
-        for program, words in ((READS_DATE, "OB 1 reads the date and time of OB 1 (a.awl:4)"),
-                               (CALLS_CLOCK, "OB 1 calls SFC 64 (a.awl:4)"), (COUNTS, "MB 11 changes")):
+        date = "OB 1 has an instruction that reads its date and time, executed or not, at OB 1 network 1 (a.awl:4)"
+        for program, words in ((READS_DATE, date), (CALLS_CLOCK, "OB 1 calls SFC 64, at OB 1 network 1 (a.awl:4)"),
+                               (COUNTS, "MB 11 changes; written at OB 1 network 1 (a.awl:6)"),
+                               (COUNTS.replace("T     MW 10", "LAR1  P#10.0\n      T     MW [AR1,P#0.0]"),
+                                "MB 11 changes; no instruction names it to write it")):
             with self.subTest(words):
                 _, passed, out = self.why(program)
                 self.assertEqual(passed, 0)
                 self.assertIn(words, out)
+                self.assertNotIn("outside", out)  # the start is the program's own
+
+    def test_every_computed_cycle_has_a_reason(self):
+        for program in (QUIET, READS_DATE, COUNTS):
+            computed, _, out = self.why(program)
+            told = [int(count) for count in re.findall(r"^ *(\d+) +[0-9.]+ %  ", out, re.MULTILINE)]
+            self.assertEqual(sum(told), computed, out)
+
+    def test_a_control_names_what_changes(self):
+        self.write("control/merker.toml", '[cpu]\nmodel = "SINUMERIK 820 GA3"\n')
+        self.write("control/a.s5", "OB 1\n      L     MW 102\n      L     KF +1\n      +F\n      T     MW 102\n      BE\n")
+        out = self.expect(GOOD, "bench", "control", "--why", "--for", "20s").out
+        self.assertRegex(out, r"MB 103 changes; written at OB 1 (network 1 )?\(a\.s5:5\)")
+        self.write("control/a.s5", "OB 1\n      A     DB 10\n      L     DW 1\n      L     KF +1\n      +F\n      T     DW 1\n      BE\n"
+                                   "DB 10\n   0 : KH = 1F00\n   1 : KF = +5\n")
+        out = self.expect(GOOD, "bench", "control", "--why", "--for", "20s").out
+        self.assertIn("DB10.DW 1 changes; written at OB 1", out)
 
 
 if __name__ == "__main__":

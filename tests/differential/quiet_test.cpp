@@ -201,5 +201,38 @@ TEST(QuietCyclesOfOne, AreCounted) {
   EXPECT_EQ(second(), 0u);
 }
 
+// So many cycles of a program that changes something in each of them: how often memory was
+// compared.
+std::uint64_t comparisons(const std::string& model, const CpuParameters& parameters) {
+  constexpr std::uint64_t kCycles = 20'000;
+  const auto program = std::make_shared<block::Program>(
+      compiledText("ORGANIZATION_BLOCK OB 1\nBEGIN\nL MW 10\n+ 1\nT MW 10\n"
+                   "END_ORGANIZATION_BLOCK\nORGANIZATION_BLOCK OB 35\nBEGIN\nNOP 0\n"
+                   "END_ORGANIZATION_BLOCK\n",
+                   *findModel(model)));
+  cpu::Cpu& cpu = stand({.model = model, .compiled = false}).load(program, parameters);
+  cpu.restart(cpu::Restart::ManualWarm);
+  const std::uint64_t before = cpu.quiet().comparisons();
+  while (cpu.cycle().count() < kCycles) {
+    cpu.passQuiet({});
+    cpu.step(Instant::never());
+  }
+  return cpu.quiet().comparisons() - before;
+}
+
+// Where nothing is quiet looking costs next to nothing: the more memory a CPU has the less often it
+// is compared, and not at all behind cycles that another OB has interrupted.
+TEST(QuietCyclesOfOne, AreSeldomLookedForWhereNoneIs) {
+  const auto rest = [](const std::string& model) {
+    return comparisons(model, CpuParameters::of(*findModel(model)));
+  };
+  EXPECT_LT(rest("small generic"), 700u);  // two in 64
+  EXPECT_LT(rest("generic-4"), 60u);
+  CpuParameters interrupted = CpuParameters::of(*findModel("generic-4"));
+  interrupted.cyclic.push_back({.ob = 35, .interval = 1});
+  interrupted.minimumCycle = 2;
+  EXPECT_LT(comparisons("generic-4", interrupted), 10u);
+}
+
 }  // namespace
 }  // namespace merker::differential

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "address/block_id.h"
 #include "plc/capability.h"
 
 namespace merker::controller {
@@ -18,11 +20,18 @@ class QuietCycles : public Capability {
   virtual void passOverQuietCycles(bool on) = 0;
   virtual std::uint64_t cyclesPassedOver() const = 0;
 
-  // Why cycles were computed, the most frequent reason first: "OB 1 reads its date and time
-  // (main.awl:12)".
+  // Why cycles were computed, the most frequent reason first. Each computed cycle counts once, but
+  // for those at whose ends nobody asked.
   struct Reason {
-    std::string text;
+    std::string text;  // "OB 1 reads the date and time of OB 1"
     std::uint64_t cycles = 0;
+    // The instruction, where one is known.
+    struct Place {
+      BlockId block;
+      std::uint32_t offset = 0;
+    };
+    std::optional<Place> place{};
+    std::string changed{};  // operand: "MB 11", "DB10.DBB 4"
   };
   virtual std::vector<Reason> whyComputed() const = 0;
 };

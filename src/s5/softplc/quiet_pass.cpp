@@ -29,6 +29,7 @@ Checkpoint OperatingSystem::checkpoint() const {
   const Instant now = machine_.clock;
   return {.clock = now,
           .number = checkpoints_,
+          .cycle = cycles_,
           .instructions = processor_.instructions(),
           .levels = processor_.levels(),
           .macros = processor_.macroCalls(),
@@ -45,8 +46,8 @@ Checkpoint OperatingSystem::checkpoint() const {
 }
 
 void OperatingSystem::passQuiet(Instant limit, std::uint64_t most) {
-  if (!quiet_.on || !atCheckpoint()) return;
-  if (!predictable()) return quiet_.refuse(NotQuiet::Watched);
+  if (!quiet_.on || !atCheckpoint() || !quiet_.wants(checkpoints_, cycles_)) return;
+  if (!predictable()) return quiet_.refuse(cycles_, NotQuiet::Watched);
   const Raster& raster = schedule_.raster();
   const std::uint64_t cycles =
       std::min(quiet_.judge(machine_, checkpoint(), raster.call, limit), most);

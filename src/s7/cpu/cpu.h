@@ -160,6 +160,7 @@ class Cpu {
   // quiet_pass.cpp
   bool atCheckpoint() const;
   bool predictable() const;
+  CycleNumber cycleNumber() const;
   Checkpoint checkpoint() const;
   void passOver(const ProvenCycle& cycle, std::uint64_t cycles);
   DateAndTime dateAt(Instant when) const;

@@ -7,9 +7,6 @@ namespace {
 
 using Why = NotQuiet::Why;
 
-// After so many cycles in a row that proved nothing, some are left out before the next look.
-constexpr unsigned kPatience = 4, kMostDoublings = 6;
-
 }  // namespace
 
 std::uint64_t ProvenCycle::fit(const QuietSpan& span) const {
@@ -25,81 +22,139 @@ std::uint64_t ProvenCycle::fit(const QuietSpan& span) const {
 void QuietCycles::note(Machine& m, const Code& code) {
   for (const Look& look : code.looks) {
     if (look.at == Look::At::Date && code.source->id == BlockId{BlockKind::OB, 1}) dateRead_ = look;
-    if (look.at == Look::At::Timer && look.number < m.loadedTimers.size())
-      m.loadedTimers[look.number] = 1;
+    if (look.at != Look::At::Timer || look.number >= m.loadedTimers.size()) continue;
+    m.loadedTimers[look.number] = 1;
+    timersLoaded_.push_back(look);
   }
 }
 
-bool QuietCycles::wants(std::uint64_t checkpoint) {
-  if (known_ && at_.number == checkpoint) return true;
-  if (rest_ == 0) return true;
-  --rest_;
+// Each cycle once, however often it is asked for.
+void QuietCycles::count(const CycleNumber& number, const NotQuiet& why) {
+  if (number.cycle == counted_) return;
+  counted_ = number.cycle;
+  const auto index = static_cast<std::size_t>(why.why);
+  ++counts_[index];
+  last_[index] = why;
+}
+
+bool QuietCycles::wants(const CycleNumber& number) {
+  if (known_ && at_.number == number) return true;
+  if (patience_.wants()) return true;
   forget();
+  leftOut_ = true;
+  count(number, {.why = Why::LeftOut});
   return false;
 }
 
 ProvenCycle* QuietCycles::fail(const NotQuiet& why) {
-  const auto index = static_cast<std::size_t>(why.why);
-  ++counts_[index];
-  last_[index] = why;
+  count(at_.number, why);
   proven_ = false;
-  if (why.why != Why::Outside && ++failures_ > kPatience)
-    rest_ = 1u << std::min(failures_ - kPatience, kMostDoublings);
+  patience_.failed(compared_);
   return nullptr;
 }
 
-ProvenCycle* QuietCycles::refuse(const NotQuiet& why) {
-  known_ = false;
+// Nothing to compare with yet.
+ProvenCycle* QuietCycles::begin(Why why) {
+  count(at_.number, {.why = why});
+  proven_ = leftOut_ = false;
+  starts_ = at_.number.starts();
+  return nullptr;
+}
+
+Why QuietCycles::whyFirst() const {
+  if (leftOut_) return Why::LeftOut;
+  return at_.number.starts() != starts_ ? Why::Start : Why::Outside;
+}
+
+ProvenCycle* QuietCycles::refuse(const CycleNumber& number, const NotQuiet& why) {
+  at_.number = number;
+  known_ = copied_ = false;
+  compared_ = 0;
   return fail(why);
+}
+
+StateCopy::Difference QuietCycles::compare(const Machine& m) {
+  ++comparisons_;
+  copied_ = true;
+  const StateCopy::Difference where = memory_.update(m, at_.relative.access);
+  compared_ = memory_.bytes();
+  return where;
 }
 
 // Asked again at the same checkpoint, by another call from outside: whoever kept a reference to
 // memory may have written meanwhile.
 ProvenCycle* QuietCycles::still(const Machine& m) {
-  if (memory_.update(m, at_.relative.access)) proven_ = false;
+  if (copied_ && compare(m)) proven_ = false;
   return proven_ ? &cycle_ : nullptr;
 }
 
+// What costs nothing to ask. Where nothing is expected to be quiet, memory is copied only behind a
+// cycle that passes here.
 ProvenCycle* QuietCycles::judge(const Machine& m, const Checkpoint& now, const Outlook& outlook) {
   if (known_ && at_.number == now.number) return still(m);
-  const StateCopy::Difference where = memory_.update(m, now.relative.access);
   const Checkpoint before = at_;
-  const bool follows = known_ && now.number == before.number + 1;
+  const bool follows = known_ && now.number.checkpoint == before.number.checkpoint + 1;
   known_ = true;
   at_ = now;
-  if (!follows) return fail({.why = Why::Outside});
-  if (now.levels != before.levels + 1 || now.entries != before.entries)
-    return fail({.why = outlook.look().at == Look::At::Error ? Why::Looked : Why::OtherOb,
-                 .look = outlook.look()});
-  if (dateRead_.at != Look::At::Nothing) return fail({.why = Why::Looked, .look = dateRead_});
-  if (outlook.holds() <= now.clock) return fail({.why = Why::Looked, .look = outlook.look()});
+  compared_ = 0;
+  const auto why = follows ? looked(before, outlook) : std::nullopt;
+  if (follows && !why) return prove(m, before, outlook);
+  copied_ = false;
+  if (!patience_.lost()) compare(m);
+  return follows ? fail(*why) : begin(whyFirst());
+}
+
+std::optional<NotQuiet> QuietCycles::looked(const Checkpoint& before,
+                                            const Outlook& outlook) const {
+  if (at_.levels != before.levels + 1 || at_.entries != before.entries)
+    return NotQuiet{.why = outlook.look().at == Look::At::Error ? Why::Looked : Why::OtherOb,
+                    .look = outlook.look()};
+  if (dateRead_.at != Look::At::Nothing) return NotQuiet{.why = Why::Looked, .look = dateRead_};
+  if (outlook.holds() <= at_.clock) return NotQuiet{.why = Why::Looked, .look = outlook.look()};
+  return std::nullopt;
+}
+
+ProvenCycle* QuietCycles::prove(const Machine& m, const Checkpoint& before,
+                                const Outlook& outlook) {
+  const bool copied = copied_;
+  const StateCopy::Difference where = compare(m);
+  if (!copied) return begin(Why::LeftOut);
   if (where) return fail({.why = Why::Memory, .where = where});
-  if (now.acts != before.acts || before.nextEvent <= now.clock) return fail({.why = Why::Event});
-  if (now.relative != before.relative) return fail({.why = Why::Duration});
+  if (at_.acts != before.acts || before.nextEvent <= at_.clock) return fail({.why = Why::Event});
+  if (at_.relative != before.relative) return fail({.why = Why::Duration});
   Look look = outlook.look();
   const Instant timers = timersHold(m, before.clock, look);
-  if (timers <= now.clock) return fail({.why = Why::Looked, .look = look});
-  cycle_ = {.end = now.clock,
-            .holds = std::min({outlook.holds(), timers, now.nextEvent}),
-            .length = now.clock - before.clock,
-            .instructions = now.instructions - before.instructions};
+  if (timers <= at_.clock) return fail({.why = Why::Looked, .look = look});
+  cycle_ = {.end = at_.clock,
+            .holds = std::min({outlook.holds(), timers, at_.nextEvent}),
+            .length = at_.clock - before.clock,
+            .instructions = at_.instructions - before.instructions};
   if (cycle_.fit({}) == 0) return fail({.why = Why::Event});
+  count(at_.number, {.why = Why::Proof});
   proven_ = true;
-  failures_ = 0;
+  patience_.found();
   return &cycle_;
+}
+
+// The instruction that loads its time, if the program has one.
+Look QuietCycles::lookAt(std::uint32_t timer) const {
+  const auto found = std::ranges::find(timersLoaded_, timer, &Look::number);
+  return found != timersLoaded_.end() ? *found : Look{.at = Look::At::Timer, .number = timer};
 }
 
 // The first instant after `from` at which a timer shows something else: its status, or the units of
 // its time where the program can load them.
 Instant QuietCycles::timersHold(const Machine& m, Instant from, Look& look) const {
   Instant holds = Instant::never();
+  std::uint32_t at = 0;
   for (std::uint32_t i = 0; i < m.timers.size(); ++i) {
     if (!m.timers[i].started) continue;
     const Instant next = m.loadedTimers[i] != 0 ? m.timers[i].nextUnit(from) : m.timers[i].end;
     if (next <= from || next >= holds) continue;
     holds = next;
-    look = {.at = Look::At::Timer, .number = i};
+    at = i;
   }
+  if (holds < Instant::never()) look = lookAt(at);
   return holds;
 }
 
@@ -107,7 +162,8 @@ void QuietCycles::passed(std::uint64_t cycles) {
   const Duration by = cycle_.length * static_cast<std::int64_t>(cycles);
   passed_ += cycles;
   cycle_.end = at_.clock = at_.clock + by;
-  at_.number += cycles;
+  at_.number.checkpoint += cycles;
+  at_.number.cycle += cycles;
   at_.instructions += cycle_.instructions * cycles;
   at_.levels += cycles;
 }

@@ -12,11 +12,15 @@ bool Cpu::atCheckpoint() const {
   return mode() == Mode::Run && machine_.levels.empty() && machine_.clock == cycleEnded_;
 }
 
+CycleNumber Cpu::cycleNumber() const {
+  return {.checkpoint = cycle_.checkpoints(), .cycle = cycle_.count()};
+}
+
 Checkpoint Cpu::checkpoint() const {
   const Instant now = machine_.clock;
   const bool access = lastOutlook_.accesses();
   return {.clock = now,
-          .number = cycle_.checkpoints(),
+          .number = cycleNumber(),
           .instructions = machine_.instructions,
           .levels = machine_.levelsStarted,
           .acts = modules_.acts(access),
@@ -39,13 +43,13 @@ bool Cpu::predictable() const {
 }
 
 std::uint64_t Cpu::passQuiet(const QuietSpan& span) {
-  if (!quiet_.enabled() || !atCheckpoint() || !quiet_.wants(cycle_.checkpoints())) return 0;
+  if (!quiet_.enabled() || !atCheckpoint() || !quiet_.wants(cycleNumber())) return 0;
   quiet_.prepare(machine_, loadMemory_.code());
   const ProvenCycle* cycle = nullptr;
   if (!predictable())
-    cycle = quiet_.refuse({.why = NotQuiet::Why::Watched});
+    cycle = quiet_.refuse(cycleNumber(), {.why = NotQuiet::Why::Watched});
   else if (!modules_.steady())
-    cycle = quiet_.refuse({.why = NotQuiet::Why::Modules});
+    cycle = quiet_.refuse(cycleNumber(), {.why = NotQuiet::Why::Modules});
   else
     cycle = quiet_.judge(machine_, checkpoint(), lastOutlook_);
   if (cycle == nullptr) return 0;

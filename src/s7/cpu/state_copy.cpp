@@ -8,7 +8,7 @@
 namespace merker::cpu {
 
 StateCopy::Difference StateCopy::update(const Machine& m, bool allInputs) {
-  part_ = 0;
+  part_ = bytes_ = 0;
   found_ = {};
   takeImage(m.areas);
   const std::size_t inputs = m.areas.inputs.size();
@@ -60,6 +60,7 @@ void StateCopy::take(const void* data, std::size_t bytes, std::string_view area,
                      std::uint32_t number) {
   if (part_ == parts_.size()) parts_.emplace_back();
   std::vector<std::uint8_t>& copy = parts_[part_++];
+  bytes_ += bytes;
   if (copy.size() == bytes && (bytes == 0 || std::memcmp(copy.data(), data, bytes) == 0)) return;
   const auto* from = static_cast<const std::uint8_t*>(data);
   const bool fits = copy.size() == bytes;

@@ -22,6 +22,7 @@ class StateCopy {
   // Makes the copy the same as the machine again. Inputs behind the process image count if a
   // program reads them.
   Difference update(const Machine& machine, bool allInputs);
+  std::size_t bytes() const { return bytes_; }  // that it has compared
 
  private:
   void take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
@@ -31,6 +32,7 @@ class StateCopy {
 
   std::vector<std::vector<std::uint8_t>> parts_;
   std::size_t part_ = 0;  // that comes next
+  std::size_t bytes_ = 0;
   Difference found_;
 };
 
