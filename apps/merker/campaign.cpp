@@ -53,7 +53,7 @@ int prepare(const CampaignOptions& options, std::unique_ptr<campaign::Plan>& pla
     plan = std::make_unique<campaign::Plan>(std::move(definition), problems);
     if (const int bad = reportProject(*plan); bad != kGood) return bad;
   }
-  if (!problems.hasErrors()) plan->bind(MERKER_VERSION, problems);
+  if (plan) plan->bind(MERKER_VERSION, problems);  // all that is wrong at once
   printProblems(problems, files);
   return problems.hasErrors() ? kProblems : kGood;
 }

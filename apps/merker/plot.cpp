@@ -94,7 +94,8 @@ int tell(const Problem& problem) {
   Problems problems;
   problems.add(problem);
   printProblems(problems, [](const std::string&) { return nullptr; });
-  return problem.code == ProblemCode::P0787 ? kUsage : kUnreadable;
+  const bool wish = problem.code == ProblemCode::P0787 || problem.code == ProblemCode::P0789;
+  return wish ? kUsage : kUnreadable;
 }
 
 int plotResults(const PlotOptions& options) {

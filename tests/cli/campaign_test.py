@@ -225,6 +225,13 @@ cycles_of_it = "cycles"
             self.assertEqual(texts[0], "Vessel")
         call = self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--x", "stroke")
         self.assertIn("the results have no parameter 'stroke'; valid: set.E 0.0, plant.Vessel.stroke", call.err)
+        call = self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--x", "plant.Vessel.stroke", "--by", "plant.vessel.stroke")
+        self.assertIn("--x and --by must be two different parameters, not 'plant.Vessel.stroke' twice", call.err)
+        call = self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--heat", "rest", "--x", "seed", "--y", "seed")
+        self.assertIn("--x and --y must be two different parameters, not 'seed' twice", call.err)
+        self.write("bare.toml", '[campaign]\nfor = "1s"\n')
+        self.merker("campaign", "bare.toml")
+        self.assertIn("they have no measure", self.expect(USAGE, "plot", "bare.sqlite", "-o", "c.svg").err)
         self.assertIn("are for a trace", self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--from", "1s").err)
         self.write("t.csv", "0.0000000,MW 10,1\n1.0000000,MW 10,2\n")
         self.assertIn("are for a campaign", self.expect(USAGE, "plot", "t.csv", "-o", "c.svg", "--x", "seed").err)
@@ -238,6 +245,53 @@ cycles_of_it = "cycles"
         self.write("sweep.toml", SWEEP.replace("[campaign]\n", '[campaign]\nproject = "none"\n'))
         self.assertTrue(self.campaign(PROBLEMS).err.startswith("sweep.toml:2:11: error: 'project' must be the folder of a project"))
         self.assertEqual(self.merker("campaign", "none.toml").code, UNREADABLE)
+
+    def vary(self, line, repeat=1):
+        self.write("sweep.toml", f'[campaign]\nfor = "1s"\nrepeat = {repeat}\n[campaign.vary]\n{line}\n'
+                                 '[campaign.measure]\nmean = "mean plant.Vessel.LEVEL"\nheld = "time MW 10 <> 0"\n')
+
+    # Two runs of the same would be one row, and several lines of CSV.
+    def test_each_value_is_listed_once(self):
+        for line, column, name, value in (
+                ('"set.MW 10" = [3, 4, 3]', 22, "set.MW 10", "3"),
+                ('"set.MW 10" = [3, "W#16#3"]', 19, "set.MW 10", "W#16#3"),
+                ('"plant.Vessel.stroke" = [4, "4s"]', 29, "plant.Vessel.stroke", "4s"),
+                ('"plant.Vessel.stroke" = { from = 4, to = 4, steps = 3 }', 1, "plant.Vessel.stroke", "4"),
+                ('"plant.Vessel.HAND_FILL" = [0, 1, 0]', 35, "plant.Vessel.HAND_FILL", "0"),
+                ('"cpu.engine" = ["jit", "jit"]', 24, "cpu.engine", "jit")):
+            with self.subTest(line):
+                self.vary(line)
+                call = self.campaign(PROBLEMS)
+                self.assertTrue(call.err.startswith(f"sweep.toml:5:{column}: error: '{name}' has the value {value} twice; "), call.err)
+                self.assertEqual(call.err.count("[P0788]"), 1)
+                self.assertFalse((self.folder / "sweep.sqlite").exists())
+
+    def test_a_value_that_cannot_be_set_is_refused_or_has_no_measures(self):
+        for line, words in (('"set.Z 1" = [999, 1000]', "sweep.toml:5:19: error: '1000' cannot be set: Z 1 cannot be set: it takes 0 to 999"),
+                            ('"set.T 1" = 5', "sweep.toml:5:13: error: '5' cannot be set: T 1 cannot be set: only the program starts a timer")):
+            with self.subTest(line):
+                self.vary(line)
+                self.assertTrue(self.campaign(PROBLEMS).err.startswith(words))
+        self.vary('"set.MW 10" = { uniform = [40000, 50000] }')  # what is drawn is known when it runs
+        self.assertIn("0 passed, 1 failed", self.campaign(PROBLEMS).out)
+        with sqlite3.connect(self.folder / "sweep.sqlite") as results:
+            self.assertEqual(results.execute("SELECT passed, mean, held FROM run").fetchall(), [(0, None, None)])
+
+    # Sums of times are exact, and a mean is one of its values where they are all the same.
+    def test_the_mean_of_a_value_that_stays_is_this_value(self):
+        self.vary('"set.MW 10" = 1\n"plant.Vessel.start" = { from = 10.1, to = 13.7, steps = 7 }')
+        self.campaign(GOOD)
+        with sqlite3.connect(self.folder / "sweep.sqlite") as results:
+            rows = results.execute('SELECT "plant.Vessel.start", mean, held FROM run').fetchall()
+        self.assertEqual([(mean, held) for _, mean, held in rows], [(start, 1) for start, _, _ in rows])
+
+    def test_all_that_is_unknown_is_told(self):
+        self.write("sweep.toml", SWEEP.replace('name = "Vessel"', 'scenario = "none.scn"')
+                   .replace('"plant.Vessel.start"', '"plant.Vessel.end"').replace('"time A 1.0"', '"time Q"').replace("LEVEL", "HEIGHT")
+                   .replace("[campaign.measure]", '"cpu.model" = ["314C-2 PtP", "999"]\n[campaign.measure]'))
+        call = self.campaign(PROBLEMS)
+        for words in ("none.scn", "'999'", "'end'", "'Q'", "'HEIGHT'"):
+            self.assertIn(words, call.err)
 
     def test_wrong_options_are_refused(self):
         for options in (["--shard", "3/2"], ["--shard", "x"], ["--job", "81"], ["--job", "0"], ["-j", "0"],

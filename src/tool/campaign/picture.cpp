@@ -34,8 +34,20 @@ Result<std::size_t> parameter(const ResultTable& table, const std::string& wante
 
 Result<std::size_t> measure(const ResultTable& table, const std::string& wanted,
                             const std::string& path) {
-  if (wanted.empty() && !table.measures.empty()) return std::size_t{0};
+  if (table.measures.empty())
+    return makeProblem(ProblemCode::P0789, Position{path},
+                       "they have no measure; [campaign.measure] of the campaign names some");
+  if (wanted.empty()) return std::size_t{0};
   return find(table.measures, wanted, "measure", path);
+}
+
+// Two axes, or an axis and the curves, are two parameters.
+std::optional<Problem> sameTwice(const ResultTable& table, std::size_t one, std::size_t other,
+                                 std::string_view options, const std::string& path) {
+  if (one != other) return std::nullopt;
+  return makeProblem(ProblemCode::P0789, Position{path},
+                     fmt::format("{} must be two different parameters, not '{}' twice", options,
+                                 table.parameters[one]));
 }
 
 Result<std::string> heatMap(const ResultTable& table, const PictureWish& wish,
@@ -46,6 +58,8 @@ Result<std::string> heatMap(const ResultTable& table, const PictureWish& wish,
   if (!x) return x.error();
   const auto y = parameter(table, wish.y, x.value(), path);
   if (!y) return y.error();
+  if (const auto problem = sameTwice(table, x.value(), y.value(), "--x and --y", path))
+    return *problem;
   return drawHeatMap(table, {title, x.value(), y.value(), value.value()});
 }
 
@@ -59,6 +73,8 @@ Result<std::string> curves(const ResultTable& table, const PictureWish& wish,
   if (!wish.by.empty()) {
     const auto by = find(table.parameters, wish.by, "parameter", path);
     if (!by) return by.error();
+    if (const auto problem = sameTwice(table, x.value(), by.value(), "--x and --by", path))
+      return *problem;
     curve.by = by.value();
   }
   return drawQuantiles(table, curve);

@@ -66,8 +66,8 @@ void Plan::load(const std::string& model, Problems& problems) {
 void Plan::bind(const std::string& version, Problems& problems) {
   readScenarios(problems);
   for (const auto& variant : variants_) {
-    if (problems.hasErrors()) return;  // one message for what is wrong with each model
     bind(*variant, problems);
+    if (problems.hasErrors()) return;  // one message for what is wrong with each model
   }
   contents_ = contents(version);
 }
@@ -133,6 +133,7 @@ void Plan::bindScenarios(Variant& variant, Problems& problems) {
   const simulator::Resolver resolver = variant.build.resolver();
   for (const ScenarioText& text : scenarioTexts()) {
     const source::SourceFile* const from = file(project::join(definition_.folder, text.file));
+    if (from == nullptr) continue;  // told by readScenarios
     std::vector<simulator::Scenario> list = simulator::parseScenarios(*from, problems);
     const auto chosen = std::ranges::find_if(list, [&](const simulator::Scenario& one) {
       return upper(one.name).find(upper(text.name)) != std::string::npos;

@@ -39,7 +39,7 @@ Recorder::Recorder(const std::vector<Measure>& measures, const controller::Contr
       last_(plc.now()),
       cycles_(plc.cycles()),
       instructions_(plc.instructions()) {
-  for (std::size_t i = 0; i < measures_.size(); ++i) look(measures_[i], taken_[i], 0);
+  for (std::size_t i = 0; i < measures_.size(); ++i) look(measures_[i], taken_[i], Duration{});
 }
 
 std::optional<double> Recorder::valueOf(const Measure& measure) const {
@@ -59,14 +59,16 @@ std::optional<double> Recorder::valueOf(const Measure& measure) const {
   return measure.amount ? std::abs(*value) : *value;
 }
 
-// `elapsed`: seconds since the last look, in which the value was as it was seen then.
-void Recorder::look(const Measure& measure, Taken& taken, double elapsed) const {
+// `elapsed`: since the last look, in which the value was as it was seen then.
+void Recorder::look(const Measure& measure, Taken& taken, Duration elapsed) const {
   if (taken.value) {
-    taken.integral += *taken.value * elapsed;
-    taken.seconds += elapsed;
-    if (holds(measure, *taken.value)) taken.held += elapsed;
+    taken.integral.add(*taken.value * secondsOf(elapsed));
+    taken.away.add((*taken.value - taken.first) * secondsOf(elapsed));
+    taken.time = taken.time + elapsed;
+    if (holds(measure, *taken.value)) taken.held = taken.held + elapsed;
   }
   const auto value = valueOf(measure);
+  if (value && !taken.extreme) taken.first = *value;
   if (value && taken.value) {
     taken.count += measure.kind == Kind::Changes && *value != *taken.value;
     taken.count += measure.kind == Kind::Rising && *taken.value == 0 && *value != 0;
@@ -81,9 +83,15 @@ void Recorder::look(const Measure& measure, Taken& taken, double elapsed) const 
 }
 
 void Recorder::sample() {
-  const double elapsed = secondsOf(plc_.now() - last_);
+  const Duration elapsed = plc_.now() - last_;
   last_ = plc_.now();
   for (std::size_t i = 0; i < measures_.size(); ++i) look(measures_[i], taken_[i], elapsed);
+}
+
+// From the first value on: the mean of a value that stays is this value, whatever it is.
+std::optional<double> Recorder::meanOf(const Taken& taken) {
+  if (taken.time.ns == 0) return taken.value;
+  return taken.first + taken.away.value() / secondsOf(taken.time);
 }
 
 std::optional<double> Recorder::result(const Measure& measure, const Taken& taken) const {
@@ -92,17 +100,17 @@ std::optional<double> Recorder::result(const Measure& measure, const Taken& take
     case Kind::Min:
       return taken.extreme;
     case Kind::Mean:
-      return taken.seconds > 0 ? std::optional(taken.integral / taken.seconds) : taken.value;
+      return meanOf(taken);
     case Kind::Last:
       return taken.value;
     case Kind::Integral:
-      return taken.integral;
+      return taken.integral.value();
     case Kind::Rising:
     case Kind::Falling:
     case Kind::Changes:
       return static_cast<double>(taken.count);
     case Kind::Time:
-      return taken.held;
+      return secondsOf(taken.held);
     case Kind::When:
       return taken.since;
     case Kind::Cycles:

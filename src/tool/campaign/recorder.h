@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "campaign/measure.h"
+#include "campaign/sum.h"
 #include "plc/controller.h"
 
 namespace merker::campaign {
@@ -21,13 +22,15 @@ class Recorder {
   struct Taken {
     std::optional<double> value;  // at the last look
     std::optional<double> extreme;
-    double integral = 0, seconds = 0;  // of the times with a value
-    double held = 0;                   // Time
-    std::optional<double> since;       // When
+    double first = 0;             // value that there was
+    Sum integral, away;           // value, and value less `first`, times seconds
+    Duration time{}, held{};      // with a value; Time
+    std::optional<double> since;  // When
     std::uint64_t count = 0;
   };
-  void look(const Measure& measure, Taken& taken, double elapsed) const;
+  void look(const Measure& measure, Taken& taken, Duration elapsed) const;
   std::optional<double> valueOf(const Measure& measure) const;
+  static std::optional<double> meanOf(const Taken& taken);
   std::optional<double> result(const Measure& measure, const Taken& taken) const;
 
   const std::vector<Measure>& measures_;

@@ -105,6 +105,7 @@ void Run::follow(const simulator::Scenario* scenario, const Choice& choice, Outc
   const auto begin = [&] {
     begun = plc_->now();
     const std::string reason = apply(choice);
+    if (!reason.empty()) return reason;
     recorder.emplace(variant.measures, *plc_);
     const auto sample = [&](Controller&) { recorder->sample(); };
     const bool outside = std::ranges::any_of(variant.measures, &Measure::needsEachCycle);
@@ -117,10 +118,11 @@ void Run::follow(const simulator::Scenario* scenario, const Choice& choice, Outc
   } else {
     outcome.message = begin();
   }
+  if (!recorder) return plc_->onCycle({});  // another program than wanted would have been measured
   if (plan_.definition().time && begun + *plan_.definition().time > plc_->now())
     plc_->advanceTo(begun + *plan_.definition().time);
   plc_->settle();
-  if (recorder) outcome.measures = recorder->results();
+  outcome.measures = recorder->results();
   plc_->onCycle({});
   if (scenario == nullptr && outcome.message.empty() && plc_->stoppedByFault())
     outcome.message = "the CPU went to STOP: " + plc_->stopReason();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/text.h"
 #include "io/amount.h"
@@ -135,6 +136,20 @@ std::string rangeOf(const plant::Parameter& row) {
   return {};
 }
 
+// A timer or counter takes less than the bits of its word; the PLC itself says what.
+void checkCells(const Parameter& parameter, const Operand& target, const Build& build,
+                Problems& problems) {
+  const address::Operand& operand = target.assignment.operand.reference.operand;
+  if (operand.kind != address::OperandKind::Timer && !address::isCounter(operand)) return;
+  const auto plc = build.controller();
+  for (const Parameter::Listed& one : parameter.values) {
+    Problems told;
+    const auto set = withValue(target, one.value, one.position, build.resolver(), told);
+    const std::string reason = set ? simulator::apply(*set, false, *plc) : std::string();
+    if (!reason.empty()) problems.add(ProblemCode::P0790, one.position, one.value.text, reason);
+  }
+}
+
 // What one listed value of each kind of target must be. All values that are wrong are told.
 struct Check {
   const Parameter& parameter;
@@ -167,6 +182,7 @@ struct Check {
   void operator()(const Operand& target) const {
     for (const Parameter::Listed& one : parameter.values)
       (void)withValue(target, one.value, one.position, build.resolver(), problems);
+    checkCells(parameter, target, build, problems);
   }
   void operator()(const CpuModelName&) const {
     words("the name of a CPU", [](const std::string&) { return true; });  // plan.cpp has loaded it
@@ -183,6 +199,54 @@ struct Check {
     words("a text that the scenario's name contains", [](const std::string&) { return true; });
   }
 };
+
+// What a value means to its target: equal for values that make the same run. Nothing if it cannot
+// be taken at all.
+struct Meaning {
+  const Value& value;
+  const Build& build;
+
+  std::optional<std::string> operator()(const PlantParameter& target) const {
+    const auto& plant = build.project.plants.plants[target.plant];
+    const auto number = plantNumber(plant.kind->parameters[target.parameter], value);
+    return number ? std::optional(fmt::format("{}", *number)) : std::nullopt;
+  }
+  std::optional<std::string> operator()(const PlantInput& target) const {
+    Problems problems;
+    simulator::PlantValue signal = withValue(target, value, {});
+    simulator::resolve(signal, &build.project.plants, problems);
+    return problems.empty() ? std::optional(fmt::format("{}", signal.number)) : std::nullopt;
+  }
+  std::optional<std::string> operator()(const Operand& target) const {
+    Problems problems;
+    const auto set = withValue(target, value, {}, build.resolver(), problems);
+    if (!set) return std::nullopt;
+    const simulator::Term& term = set->value;
+    if (!term.constant) return term.content ? *term.content : term.text;
+    const TypeCode type = set->operand.reference.type;
+    return fmt::format("{:08X}", simulator::adapt(*term.constant, type).bits);
+  }
+  // Names: files of their own, all else without regard to upper and lower case.
+  std::optional<std::string> operator()(const ScenarioFile&) const { return value.text; }
+  template <typename Name>
+  std::optional<std::string> operator()(const Name&) const {
+    return upper(value.text);
+  }
+};
+
+// Each value once: two runs of the same have one row, and one weight in every mean. A range is told
+// once.
+void checkRepeated(const Parameter& parameter, const Target& target, const Build& build,
+                   Problems& problems) {
+  std::set<std::string> known;
+  Position last;
+  for (const Parameter::Listed& one : parameter.values) {
+    const auto meaning = std::visit(Meaning{one.value, build}, target);
+    if (!meaning || known.insert(*meaning).second || one.position == last) continue;
+    problems.add(ProblemCode::P0788, one.position, parameter.name, one.value.text);
+    last = one.position;
+  }
+}
 
 }  // namespace
 
@@ -208,7 +272,9 @@ std::optional<double> plantNumber(const plant::Parameter& row, const Value& valu
 std::optional<Target> bindTarget(const Parameter& parameter, const Build& build,
                                  Problems& problems) {
   const auto target = findTarget(parameter, build, problems);
-  if (target) std::visit(Check{parameter, build, problems}, *target);
+  if (!target) return target;
+  std::visit(Check{parameter, build, problems}, *target);
+  checkRepeated(parameter, *target, build, problems);
   return target;
 }
 
