@@ -14,6 +14,7 @@ import { placed, type Change, type Edited } from './keys';
 import type { NetworkViewProps } from './network_view';
 import { Networks, type Wanted } from './networks.svelte';
 import { Turn } from './turn';
+import { standingAt } from './statement_at';
 import { stepFrom } from './walking';
 
 const BEGINNING = { node: -1, field: NO_PIN };
@@ -68,10 +69,9 @@ export class Editing {
     const { line } = this.props;
     const at = this.networks.at(line);
     if (!at || this.turn.busy) return;
-    const items = itemsOf(at.shapes);
     const here = at.number === this.chosen && itemAt(at.shapes, this.selected);
-    if (here && at.line + here.line === line) return;
-    const found = items.find((item) => at.line + item.line === line && item.kind !== 'field');
+    if (here && (at.line + here.line === line || this.holds(at, here))) return;
+    const [found] = line < at.first ? [] : standingAt(itemsOf(at.shapes), line - at.line);
     if (at.number === this.chosen && !found) return;
     this.chosen = at.number;
     this.selected = found ?? null;
@@ -149,7 +149,12 @@ export class Editing {
     this.chosen = number;
     this.selected = item;
     const at = this.networks.list.find((one) => one.number === number);
-    if (at) this.props.ongoto(at.line + (item?.line ?? 0));
+    if (at && !(item && this.holds(at, item))) this.props.ongoto(at.line + (item?.line ?? 0));
+  }
+
+  /** The cursor of the text stays at the statement of an element that it is at, the one where the CPU stopped. */
+  private holds({ line, shapes }: NetworkPicture, item: Item): boolean {
+    return standingAt(itemsOf(shapes), this.props.line - line).some((one) => same(one, item));
   }
 
   go(number: number, item: Item | null): void {

@@ -50,6 +50,7 @@ export const networks = {
   otherView: ['als {view} gezeigt', 'shown as {view}'],
   none: ['Kein Baustein mit Netzwerken an der Schreibmarke.', 'No block with networks at the cursor.'],
   breakpoint: ['Haltepunkt an Netzwerk {number}', 'Breakpoint at network {number}'],
+  stopHere: ['hier ging die CPU in STOP', 'here the CPU went to STOP'],
   toText: ['In AWL zeigen', 'Show as STL'],
   palette: ['Elemente', 'Elements'],
   search: ['Element suchen', 'Find an element'],
