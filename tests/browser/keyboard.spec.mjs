@@ -159,17 +159,19 @@ test('Ctrl S saves and Ctrl L loads from every pane of the program', async () =>
   }
 });
 
-test('a message lies over the view, and is closed by keys', async () => {
-  const height = () => page.locator('main').evaluate((one) => one.clientHeight);
-  const before = await height();
+test('the view gives way to a message of an error, which is closed by keys', async () => {
+  const top = () => page.locator('.code').evaluate((code) => Math.round(code.getBoundingClientRect().top));
   await toPane('text');
   await page.keyboard.press('Control+End');
   await page.keyboard.type('x');
+  const before = await top();
   await page.keyboard.press('Control+l');
   const message = page.locator('.message.problem').first();
   await message.waitFor();
   assert.equal(await message.getAttribute('role'), 'alert');
-  assert.equal(await height(), before);
+  assert.equal(await top(), before, 'the text stays where it is');
+  const end = await page.locator('main').evaluate((one) => one.getBoundingClientRect().bottom);
+  assert.ok(end <= (await message.boundingBox()).y, 'nothing of the view is under it');
   await toPane('messages');
   for (let left = await page.locator('.message').count(); left > 0 && (await here()) !== 'Meldung schließen'; left--) await page.keyboard.press('Tab');
   const count = await page.locator('.message').count();

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { toLine } from './editor.mjs';
-import { expect, leave, open, serve, turn, until, visit } from './harness.mjs';
+import { expect, leave, open, quiet, serve, turn, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const server = await serve('sorting-plant');
@@ -268,4 +268,29 @@ test('on a tablet held upright the front plate of the CPU is one row until it is
   await until(async () => (await high()) > 100, 'it stays unfolded');
   await tablet.getByRole('button', { name: 'Frontplatte der CPU' }).press('Enter');
   await until(async () => (await high()) <= 48, 'one row again');
+});
+
+test('an error hides nothing: all of the row that is worked at stays in sight', async () => {
+  const look = await open(server, 'program?file=sorting.awl&line=200');
+  await look.getByRole('tab', { name: 'Beobachten' }).click();
+  const rows = look.locator('#program-panel tbody tr:has(input:enabled)');
+  await rows.first().waitFor();
+  const field = rows.last().locator('input');
+  /** What lies over one of its cells. */
+  const over = () => rows.last().evaluate((row) => [...row.cells].flatMap((cell) => {
+    const { left, top, height } = cell.getBoundingClientRect();
+    const found = document.elementFromPoint(left + 12, top + height / 2);
+    return left > innerWidth - 20 || row.contains(found) ? [] : [`${cell.textContent.trim() || cell.className} is under ${found?.closest('.message')?.className ?? found?.className}`];
+  }));
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+    await look.setViewportSize({ width, height });
+    await quiet(look);
+    await rows.last().scrollIntoViewIfNeeded();
+    await field.fill('nothing');
+    await field.press('Enter');
+    await look.locator('.message.problem').first().waitFor();
+    let hidden;
+    await until(async () => (hidden = await over()).length === 0, () => `${width}x${height}: ${hidden.join(', ')}`);
+    await accessible(look, `an error at ${width}x${height}`);
+  }
 });

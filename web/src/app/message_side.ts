@@ -1,4 +1,4 @@
-// Messages lie over the lower right of the page, or the lower left if they would hide what has just been used there.
+// Good news lies over the lower right of the page, or the lower left if it would hide what has just been used there.
 
 interface Box {
   left: number;
@@ -7,7 +7,7 @@ interface Box {
   bottom: number;
 }
 
-/** `column`: where the messages are now, on either side of a page of this width. */
+/** `column`: where it is now, on either side of a page of this width. */
 export function sideFor(used: Box, column: Box, width: number): 'left' | 'right' {
   const room = column.right - column.left;
   const hides = (left: number): boolean =>

@@ -14,8 +14,11 @@ export interface Message {
   elsewhere?: boolean;
   /** What was refused. */
   method: string;
+  /** Until somebody closes it; good news goes by itself. */
+  stays: boolean;
 }
 
+const NOWHERE = { code: '', file: '', line: 0, column: 0, method: '' };
 const SHOWN = 3;
 /** How long good news stays; a problem stays until something succeeds later, another view opens or somebody closes it. */
 const DONE_MS = 6000;
@@ -28,7 +31,7 @@ class Messages {
   private known = 0;
 
   problem(problem: Partial<Problem> & { text: string; elsewhere?: boolean }, method = ''): void {
-    this.add({ kind: 'problem', code: '', file: '', line: 0, column: 0, method, ...problem });
+    this.add({ ...NOWHERE, kind: 'problem', method, stays: true, ...problem });
   }
 
   /** `from`: what the file is called on the computer that it came from. */
@@ -40,13 +43,13 @@ class Messages {
   /** `stays`: until somebody closes it. */
   done(text: string, stays = false): void {
     this.list = this.list.filter((one) => one.kind !== 'problem' || one.id >= this.known);
-    const id = this.add({ kind: 'done', text, code: '', file: '', line: 0, column: 0, method: '' });
+    const id = this.add({ ...NOWHERE, kind: 'done', text, stays });
     if (!stays) setTimeout(() => this.dismiss(id), DONE_MS);
   }
 
   /** Until somebody closes it. */
   news(text: string): void {
-    this.add({ kind: 'news', text, code: '', file: '', line: 0, column: 0, method: '' });
+    this.add({ ...NOWHERE, kind: 'news', text, stays: true });
   }
 
   /** A key or the pointer: the messages that are there belong to what was done before. */
