@@ -221,3 +221,15 @@ test('the assignment list of an English page asks in English, also of a program 
     await until(async () => /^QW? \d/.test(await first.innerText()), 'a part of an operand');
   }
 });
+
+test('what stands beside a German text has its words, on an English page as well', async () => {
+  const lines = readFileSync(join(server.project, 'sorting.awl'), 'utf-8').split('\n');
+  const line = lines.findIndex((one) => one.includes(':= "Light barrier small"')) + 1;
+  const english = await open(server, `program?file=sorting.awl&line=${line}`, { language: 'en' });
+  await english.getByRole('tab', { name: 'Monitor' }).click();
+  const address = english.locator(`tr[data-nearby='"Light barrier small"'] td`).nth(1);
+  await expect(() => address.innerText(), 'E 0.0');
+  // The same text in international mnemonics.
+  await english.getByLabel('Mnemonics').selectOption('international');
+  await expect(() => address.innerText(), 'I 0.0');
+});

@@ -3,9 +3,11 @@ import type { Extension } from '@codemirror/state';
 import { hoverTooltip } from '@codemirror/view';
 import type { SymbolIndex } from './catalogue';
 import { initialState, tokenizeLine, type Token } from './lexer';
+import { operandIn, type Mnemonics } from './mnemonics';
 
 export interface HoverHooks {
   symbols: () => SymbolIndex;
+  mnemonics: () => Mnemonics;
   /** The value as text; undefined where there is none. */
   read: (operand: string) => Promise<string | undefined>;
 }
@@ -36,7 +38,7 @@ function tooltip(title: string, comment: string, value: Promise<string | undefin
   return dom;
 }
 
-export function operandHover({ symbols, read }: HoverHooks): Extension {
+export function operandHover({ symbols, mnemonics, read }: HoverHooks): Extension {
   return hoverTooltip((view, position) => {
     const line = view.state.doc.lineAt(position);
     const token = operandAt(line.text, position - line.from);
@@ -44,7 +46,7 @@ export function operandHover({ symbols, read }: HoverHooks): Extension {
     const symbol = token.kind === 'symbol' ? symbols().ofName(token.text) : symbols().ofOperand(token.text);
     const operand = symbol?.operand ?? token.text;
     if (token.kind === 'symbol' && !symbol) return null;
-    const title = symbol ? `${symbol.operand}  "${symbol.name}"  ${symbol.type}` : operand;
+    const title = symbol ? `${operandIn(symbol.operand, mnemonics())}  "${symbol.name}"  ${symbol.type}` : operand;
     return {
       pos: line.from + token.from,
       end: line.from + token.to,

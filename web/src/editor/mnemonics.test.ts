@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { convertSource, mnemonicsOf, sameOperand } from './mnemonics';
+import { convertSource, mnemonicsOf, operandIn, sameOperand } from './mnemonics';
 
 const german = `FUNCTION FC 1 : VOID
 TITLE = Start U E 0.0
@@ -43,6 +43,12 @@ describe('mnemonics (S7-EDIT-24)', () => {
   it('recognises what a source is written in', () => {
     expect(mnemonicsOf(german)).toBe('german');
     expect(mnemonicsOf(international)).toBe('international');
+  });
+  it('has an operand in the words of a text', () => {
+    const words = ['E 0.0', 'AB 4', 'PEW 752', 'Z 1', 'M 1.0', 'DB1.DBW 0', 'plant.Belt.A', '"A 1"'];
+    const others = ['I 0.0', 'QB 4', 'PIW 752', 'C 1', 'M 1.0', 'DB1.DBW 0', 'plant.Belt.A', '"A 1"'];
+    expect(words.map((one) => operandIn(one, 'international'))).toEqual(others);
+    expect([...others, ...words].map((one) => operandIn(one, 'german'))).toEqual([...words, ...words]);
   });
   it('compares operands without blanks and in one setting', () => {
     expect(sameOperand('I 0.0')).toBe(sameOperand('E0.0'));

@@ -145,6 +145,10 @@ function vote(token: Token): number {
   return token.kind === 'operand' ? differs(areas, /^[A-Z]+/.exec(word)?.[0] ?? '') : 0;
 }
 
+/** An operand as a text of these mnemonics has it: what stands beside a text speaks as the text does. */
+export const operandIn = (operand: string, to: Mnemonics): string =>
+  operand.replace(/^[A-Z]+/i, (area) => table(areas, to).get(area.toUpperCase()) ?? area);
+
 // What a source is written in: the setting that more of its words belong to (STEP 7 reads no mixture).
 export function mnemonicsOf(source: string): Mnemonics {
   const state = initialState();

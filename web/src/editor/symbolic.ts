@@ -4,16 +4,19 @@ import { syntaxTree } from '@codemirror/language';
 import { Facet, RangeSetBuilder, type EditorState, type Extension } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin, WidgetType, type DecorationSet, type ViewUpdate } from '@codemirror/view';
 import { SymbolIndex } from './catalogue';
+import { operandIn, type Mnemonics } from './mnemonics';
 
 export type Display = 'written' | 'symbolic' | 'absolute';
 
 export interface DisplaySetting {
   display: Display;
+  /** Of the text, in whose words it is shown. */
+  mnemonics: Mnemonics;
   symbols: SymbolIndex;
 }
 
 export const displaySetting = Facet.define<DisplaySetting, DisplaySetting>({
-  combine: (values) => values[0] ?? { display: 'written', symbols: new SymbolIndex([]) },
+  combine: (values) => values[0] ?? { display: 'written', mnemonics: 'german', symbols: new SymbolIndex([]) },
 });
 
 class ShownOperand extends WidgetType {
@@ -39,12 +42,17 @@ class ShownOperand extends WidgetType {
 }
 
 /** What a word shows in this display; undefined: as it is written. */
-export function shownAs(kind: string, text: string, { display, symbols }: DisplaySetting): string | undefined {
+export function shownAs(
+  kind: string,
+  text: string,
+  { display, mnemonics, symbols }: DisplaySetting,
+): string | undefined {
   if (display === 'symbolic' && kind === 'operand') {
     const symbol = symbols.ofOperand(text);
     return symbol && `"${symbol.name}"`;
   }
-  return display === 'absolute' && kind === 'symbol' ? symbols.ofName(text)?.operand : undefined;
+  const symbol = display === 'absolute' && kind === 'symbol' ? symbols.ofName(text) : undefined;
+  return symbol && operandIn(symbol.operand, mnemonics);
 }
 
 function decorations(view: EditorView): DecorationSet {
