@@ -150,3 +150,25 @@ test('a CPU that is set otherwise is different; all of its properties can be rea
     await accessible(page, `hardware compared at ${width}`);
   }
 });
+
+test('an answer that comes anew keeps the place', async () => {
+  await page.getByRole('tab', { name: /^Bausteine/ }).click();
+  await page.getByRole('switch', { name: 'auch was gleich ist' }).press('Space');
+  await blocks.filter({ hasText: 'FB 1' }).press('Enter');
+  await until(async () => /^Unterschied 1 von [3-9]$/.test(await status()), status);
+  await page.keyboard.press('F7');
+  await until(async () => /^Unterschied 2 von/.test(await status()), 'the second');
+  const all = Number((await status()).match(/\d+$/)[0]);
+  const view = () => page.locator('.comparison .texts').evaluate((host) => host.shadowRoot.querySelector('.cm-mergeView').dataset.kept ?? '');
+  await page.locator('.comparison .texts').evaluate((host) => (host.shadowRoot.querySelector('.cm-mergeView').dataset.kept = 'yes'));
+  // Another answer with the same texts: only a symbol is new.
+  const count = async () => (await page.getByRole('tab', { name: /^Symbole/ }).innerText()).trim();
+  const before = await count();
+  change(project, 'sorting.sym', ['"Light barrier small"', '"Spare"   M 99.0  BOOL\n"Light barrier small"']);
+  await until(async () => (await count()) !== before, 'the answer');
+  assert.match(await status(), /^Unterschied 2 von/);
+  assert.equal(await view(), 'yes', 'the texts are those of before');
+  // One more difference behind the others.
+  change(project, 'sorting.awl', ['END_FUNCTION_BLOCK', '      NOP   0;\nEND_FUNCTION_BLOCK']);
+  await expect(status, `Unterschied 2 von ${all + 1}`);
+});
