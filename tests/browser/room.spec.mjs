@@ -206,6 +206,7 @@ test('nothing in the bar of the text is cut off on a tablet; it has two lines, t
   await expect(lines, 1);
   await expect(async () => (await height('.work .bar')) <= 76, true, 'two lines');
   await expect(cut, 0, 'choices that are cut off at 768');
+  await expect(named, true, 'the whole name of the file at 768');
   await roomy();
   await page.setViewportSize({ width: 1280, height: 800 });
 });
