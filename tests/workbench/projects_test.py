@@ -170,6 +170,32 @@ class Relative(Served):
             self.assertEqual(folder, str((self.folder / "work" / "x" / model).resolve()))
 
 
+class Linked(Served):
+    command = "workbench"
+    arguments = ("--workspace", "link")
+
+    def target(self):
+        return ["link/given"]
+
+    def prepare(self):
+        (self.folder / "real" / "given").mkdir(parents=True)
+        (self.folder / "real" / "given" / "merker.toml").write_text('[project]\nname = "Given"\n', encoding="utf-8")
+        os.symlink(self.folder / "real", self.folder / "link")
+
+    def test_a_folder_behind_a_link_is_listed_once(self):
+        browser = self.browser()
+        browser.until(lambda b: (b.state.get("project") or {}).get("name") == "Given")
+        browser.call("projects.new", name="Made", model="313C")
+        browser.until(lambda b: (b.state.get("project") or {}).get("name") == "Made")
+        browser.call("projects.open", folder="Made")
+        browser.call("projects.open", folder="given")
+        listed = browser.call("projects.list")
+        real = (self.folder / "real").resolve()
+        self.assertEqual(listed["folder"], str(real))
+        self.assertEqual(sorted(listed["projects"]), ["Made", "given"])
+        self.assertEqual(sorted(listed["recent"]), [str(real / "Made"), str(real / "given")])
+
+
 LISTING = "OB 1\nNETZWERK 1\n : U    E 0.0\n : =    A 0.0\n : BE\n"
 DATA = "DB 10\n   0 : KF = +1\n"
 

@@ -26,7 +26,7 @@ Answer rows(const Workspace& workspace, const std::vector<std::string>& recent) 
   for (const SinumerikModel& model : sinumerikModels()) sinumerik.push_back(model.name);
   return Json{{"examples", std::move(examples)},  {"templates", std::move(templates)},
               {"models", std::move(models)},      {"sinumerik", std::move(sinumerik)},
-              {"projects", workspace.projects()}, {"recent", recent},
+              {"projects", workspace.projects()}, {"recent", workspace.named(recent)},
               {"folder", workspace.folder()}};
 }
 

@@ -176,10 +176,11 @@ Files sinumerikFiles(const NewProject& wanted) {
           {"symbols.seq", ""}};
 }
 
-std::string absolute(const std::string& path) {
+// One name for one folder, also where a link leads to it.
+std::string realPath(const std::string& path) {
   std::error_code error;
-  const fs::path found = path.empty() ? fs::path() : fs::absolute(path, error).lexically_normal();
-  return error ? path : found.string();
+  const fs::path found = path.empty() ? fs::path() : fs::absolute(path, error);
+  return error ? path : canonical(found.string()).string();
 }
 
 Problem notMade(const std::string& path, const std::error_code& error) {
@@ -189,7 +190,7 @@ Problem notMade(const std::string& path, const std::error_code& error) {
 }  // namespace
 
 Workspace::Workspace(const std::string& folder, std::string examples, std::string given)
-    : folder_(absolute(folder)), examples_(std::move(examples)), given_(std::move(given)) {}
+    : folder_(realPath(folder)), examples_(std::move(examples)), given_(std::move(given)) {}
 
 std::vector<Example> Workspace::examples() const {
   std::vector<Example> list;
@@ -237,6 +238,15 @@ Result<std::string> Workspace::folderToOpen(const std::string& folder) const {
   if (bad || !allowed) return makeProblem(ProblemCode::P1318, nowhere(), folder, folder_);
   // The name that was given, so that places in it are named as ever.
   return path == canonical(given_) ? given_ : path.string();
+}
+
+std::vector<std::string> Workspace::named(const std::vector<std::string>& folders) const {
+  std::vector<std::string> list;
+  for (const std::string& folder : folders) {
+    const std::string path = isBelow(canonical(folder), folder_) ? realPath(folder) : folder;
+    if (std::ranges::find(list, path) == list.end()) list.push_back(path);
+  }
+  return list;
 }
 
 Result<std::string> Workspace::makeFolder(const std::string& name) const {

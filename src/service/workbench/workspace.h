@@ -31,8 +31,8 @@ struct NewProject {
 class Workspace {
  public:
   Workspace() = default;
-  // `given`: the project of the command line, which may lie anywhere. The folder may be relative:
-  // what is made in it has an absolute path, which opens it again.
+  // `given`: the project of the command line, which may lie anywhere. The folder may be relative or
+  // a link: what is in it has one absolute path, which opens it again.
   Workspace(const std::string& folder, std::string examples, std::string given);
 
   const std::string& folder() const { return folder_; }
@@ -48,6 +48,8 @@ class Workspace {
                                   bool german = false) const;
   // A folder of a project that may be opened: P1318 for others.
   Result<std::string> folderToOpen(const std::string& folder) const;
+  // Each folder once, those of the workspace by the path that opens them.
+  std::vector<std::string> named(const std::vector<std::string>& folders) const;
   // A new folder for a project: P1317, P1312.
   Result<std::string> makeFolder(const std::string& name) const;
   // A name like this one that a new project can have.
