@@ -34,6 +34,11 @@ test('sources are shown where they tell the difference, else the code', () => {
     right: 'b',
     code: true,
   });
+  // Nothing differs: the source can be read all the same.
+  expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'a', 'A')), false)).toMatchObject({
+    left: 'A',
+    code: false,
+  });
   // The same text with another symbol table is other code.
   expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b', 'A')), false).code).toBe(true);
   expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b')), false).code).toBe(true);
@@ -84,6 +89,19 @@ test('symbols by name, modules by place', () => {
   );
   expect(modules.map(({ key, state }) => `${key} ${state}`)).toEqual(['0/4 different', '0/10 same']);
   expect(modules[0]!.left).toEqual(['SM 321', 'E 0…1', '']);
+  const both = {
+    slot: '4',
+    name: 'SM 323',
+    kind: 'digital',
+    order: '',
+    properties: [],
+    inputs: { first: 0, bytes: 1 },
+  };
+  const [mixed] = compareModules(
+    look({ racks: [{ rack: 0, slots: [{ ...both, outputs: { first: 4, bytes: 1 } } as never] }] }),
+    look({ racks: [{ rack: 0, slots: [{ ...both, outputs: { first: 5, bytes: 2 } } as never] }] }),
+  );
+  expect([mixed!.left[1], mixed!.right[1]]).toEqual(['E 0…0, A 4…4', 'E 0…0, A 5…6']);
 });
 
 test('the CPU is one row: its type, its order number, and what is set on it otherwise', () => {

@@ -22,6 +22,15 @@ test('a wider network is cut beside its contacts and texts, and all of it is the
   expect(strips.length).toBe(3);
 });
 
+test('a cut is the last edge of a column where there is nothing, also between two that touch', () => {
+  const edge = MARGIN + 119 * COLUMN;
+  expect(edge).toBeLessThanOrEqual(WIDEST);
+  expect(stripsOf(1500, [])[0]!.to).toBe(edge);
+  expect(stripsOf(1500, [rect(edge - 4 * COLUMN, 3 * COLUMN), rect(edge - COLUMN, 2 * COLUMN)])[0]!.to).toBe(
+    edge - COLUMN,
+  );
+});
+
 test('what is wider than the paper itself is cut, not lost', () => {
   expect(stripsOf(2 * WIDEST + 5, [rect(0, 3000)]).map(({ to }) => to)).toEqual([WIDEST, 2 * WIDEST, 2 * WIDEST + 5]);
 });

@@ -49,6 +49,10 @@ test('rows and columns of a spreadsheet become symbols; a single text is typed',
     { symbol: '', operand: 'E 1.0', type: 'BOOL', comment: '' },
     { symbol: '', operand: 'E 1.1', type: 'BOOL', comment: '' },
   ]);
+  // Quotation marks of a source, doubled by a spreadsheet; one column more than there are.
+  expect(pastedRows('"""Start"""\tE 1.0\tBOOL\tKomm\tmore', 'operand')).toEqual([
+    { symbol: 'Start', operand: 'E 1.0', type: 'BOOL', comment: 'Komm' },
+  ]);
   expect(pastedRows('\tE 1.0\tBOOL', 'symbol')[0]).toEqual({ ...emptyRow(), operand: 'E 1.0', type: 'BOOL' });
   for (const typed of ['Motor', 'Motor\n', ' ']) expect(pastedRows(typed, 'symbol')).toEqual([]);
 });
