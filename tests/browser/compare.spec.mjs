@@ -172,3 +172,14 @@ test('an answer that comes anew keeps the place', async () => {
   change(project, 'sorting.awl', ['END_FUNCTION_BLOCK', '      NOP   0;\nEND_FUNCTION_BLOCK']);
   await expect(status, `Unterschied 2 von ${all + 1}`);
 });
+
+test('a channel that is set otherwise makes its module different', async () => {
+  change(other, 'merker.toml', ['[[module]]\nslot = 4', '[[module]]\nslot = "2.3"\n[[module.channel]]\ninput = 1\nrange = "4..20mA"\n\n[[module]]\nslot = 4']);
+  await page.reload();
+  await page.locator('[data-phase="open"]').waitFor();
+  await page.getByLabel('Rechts').selectOption('plant 2');
+  await page.getByRole('tab', { name: /^Hardware \(2\)/ }).click();
+  const analog = rows('Hardware').filter({ hasText: '0/2.3' });
+  await expect(() => analog.locator('del').innerText(), 'Kanal E 1: Messbereich: ±10V');
+  await expect(() => analog.locator('ins').innerText(), 'Kanal E 1: Messbereich: 4..20mA');
+});

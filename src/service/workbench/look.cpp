@@ -1,5 +1,7 @@
 #include "workbench/look.h"
 
+#include <algorithm>
+
 #include "block/container.h"
 #include "workbench/hardware_rows.h"
 #include "workbench/parameter_rows.h"
@@ -34,10 +36,14 @@ Json symbolTexts(const source::SymbolTable& symbols) {
   return rows;
 }
 
-// As a property of a module: "on", "150ms", "2".
+// As a property of a module: "on", "150ms", "2", "0, 1".
 std::string valueText(const Json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string list;
+  for (const Json& one : value) list += (list.empty() ? "" : ", ") + valueText(one);
+  return list.empty() ? "-" : list;
 }
 
 // "" for what is set on the CPU itself, "OB 35 " for [cpu.OB35].
@@ -57,6 +63,40 @@ void addCpuParameters(const project::Project& project, Json& properties) {
     }
 }
 
+// What `propertiesOf` or the columns of a comparison say already.
+bool isSaid(std::string_view key) {
+  constexpr std::string_view kSaid[] = {"name",        "input",        "output",     "input_delay",
+                                        "rising_edge", "falling_edge", "diagnostics"};
+  return std::ranges::find(kSaid, key) != std::end(kSaid);
+}
+
+void addParameters(const Json& parameters, const std::string& owner, Json& properties) {
+  for (const Json& parameter : parameters) {
+    const auto key = parameter["key"].get<std::string>();
+    if (!parameter["value"].is_null() && !isSaid(key))
+      properties.push_back(Json::array({owner + key, valueText(parameter["value"])}));
+  }
+}
+
+// What is set on a module and on its channels: "input 0 range".
+void addModuleParameters(const io::Module& module, Json& properties) {
+  addParameters(parameterRows(module), "", properties);
+  for (const Json& channel : channelRows(module))
+    addParameters(channel["parameters"],
+                  fmt::format("{} {} ", channel["side"].get<std::string>(),
+                              channel["number"].get<unsigned>()),
+                  properties);
+}
+
+void addModules(const io::Configuration& configuration, Json& racks) {
+  for (const io::Module& module : configuration.modules)
+    for (Json& rack : racks)
+      for (Json& slot : rack["slots"])
+        if (rack["rack"] == module.rack && slot["slot"] == module.slotText() &&
+            slot["kind"] != "cpu")
+          addModuleParameters(module, slot["properties"]);
+}
+
 // It has no modules that are chosen: the control, and its machine data unlike the standard ones.
 Json controlRacks(const cnc::Options& control) {
   Json properties = Json::array();
@@ -73,9 +113,10 @@ Json controlRacks(const cnc::Options& control) {
 Json racksOf(const project::Project& project) {
   if (project.control) return controlRacks(*project.control);
   Problems none;
-  Json racks =
-      hardwareRows(project.hardware ? *project.hardware : io::configure({}, *project.model, none),
-                   nullptr, project.symbols);
+  const io::Configuration hardware =
+      project.hardware ? *project.hardware : io::configure({}, *project.model, none);
+  Json racks = hardwareRows(hardware, nullptr, project.symbols);
+  addModules(hardware, racks);
   for (Json& slot : racks[0]["slots"])
     if (slot["kind"] == "cpu") addCpuParameters(project, slot["properties"]);
   return racks;

@@ -61,6 +61,22 @@ Json cpuLookedAt(const std::string& settings) {
 }
 
 // S7-MGR-15
+TEST(Hardware, WhatIsSetOnChannelsIsComparedWithTheModule) {
+  Bench bench(kProgram,
+              "[cpu]\nmodel = \"314C-2 PtP\"\n[[module]]\nslot = \"2.3\"\n"
+              "[[module.channel]]\ninput = 1\nrange = \"4..20mA\"\n");
+  const Json answer = bench.call("projects.look");
+  std::map<std::string, std::string> found;
+  for (const Json& slot : answer["racks"][0]["slots"])
+    if (slot["slot"] == "2.3") {
+      for (const Json& one : slot["properties"]) EXPECT_TRUE(found.emplace(one[0], one[1]).second);
+    }
+  EXPECT_EQ(found["input 1 range"], "4..20mA");
+  EXPECT_TRUE(found.contains("input 0 range"));
+  EXPECT_FALSE(found.contains("name"));
+}
+
+// S7-MGR-15
 TEST(Hardware, WhatIsSetOnTheCpuIsComparedWithIt) {
   const Json cpu = cpuLookedAt(
       "[cpu]\nmpi_address = 5\ncycle_monitoring = \"300ms\"\nprotection = 3\n"

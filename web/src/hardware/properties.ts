@@ -1,6 +1,6 @@
 // The properties of a module, by the words of the server or the keys of merker.toml, in the language of the page.
-import { said, translator } from '../i18n';
-import { planWords } from '../i18n/texts/hardware_plan';
+import { operandText, said, translator } from '../i18n';
+import { hardwarePlan, planWords } from '../i18n/texts/hardware_plan';
 import { modules } from '../i18n/texts/modules';
 
 export type Property = [name: string, value: string];
@@ -10,10 +10,14 @@ const known = (text: string): text is keyof typeof planWords | keyof typeof modu
   Object.hasOwn(modules, text) || Object.hasOwn(planWords, text);
 const worded = (text: string): string => (known(text) ? word(text) : said(text));
 
-/** "interval" of "OB 35 interval". */
+const t = translator(hardwarePlan);
+const ownerText = (owner: string): string =>
+  /^[io]/.test(owner) ? `${t('channel')} ${operandText(owner.replace('input', 'E').replace('output', 'A'))}` : owner;
+
+/** "interval" of "OB 35 interval", "range" of "input 1 range", which is of a channel. */
 export function propertyName(name: string): string {
-  const [, owner, key] = /^(OB \d+) (.+)$/.exec(name) ?? [];
-  return owner && key ? `${owner}: ${worded(key)}` : worded(name);
+  const [, owner, key = name] = /^((?:OB|input|output) \d+) (.+)$/.exec(name) ?? [];
+  return owner ? `${ownerText(owner)}: ${worded(key)}` : worded(key);
 }
 
 /** A choice that means something else elsewhere has words of its own. */

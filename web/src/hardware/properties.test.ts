@@ -1,0 +1,29 @@
+import { expect, test } from 'vitest';
+import { language } from '../i18n';
+import { propertyText } from './properties';
+
+test('what is set on a module, an organization block, a channel, in the language of the page', () => {
+  const texts = () =>
+    (
+      [
+        ['on_stop', 'keep'],
+        ['OB 35 interval', '50ms'],
+        ['input 1 range', 'off'],
+        ['output 0 substitute', '4mA'],
+      ] as const
+    ).map(([name, value]) => propertyText([name, value]));
+  language.value = 'de';
+  expect(texts()).toEqual([
+    'Verhalten in STOP: letzten Wert halten',
+    'OB 35: Zeittakt: 50ms',
+    'Kanal E 1: Messbereich: aus',
+    'Kanal A 0: Ersatzwert: 4mA',
+  ]);
+  language.value = 'en';
+  expect(texts()).toEqual([
+    'Outputs in STOP: keep',
+    'OB 35: Interval: 50ms',
+    'Channel I 1: Range: off',
+    'Channel Q 0: Substitute value: 4mA',
+  ]);
+});
