@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { statusOf, toLine } from './editor.mjs';
-import { launch, open, serve, turn, until, visit, write } from './harness.mjs';
+import { expect, launch, open, serve, turn, until, visit, write } from './harness.mjs';
 
 /** The same, as soon as somebody writes into MW 20. */
 const COUNTING = `FUNCTION FC 1 : VOID
@@ -156,6 +156,16 @@ test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {
   await accessible(fault, 'stacks');
   await blocks.first().getByRole('link').click();
   await until(() => /line=8/.test(fault.url()), 'the line');
+});
+
+test('who was not watched: why there is no status, what the operands have, local variables from the L stack', async () => {
+  await fault.getByRole('tab', { name: 'Beobachten' }).click();
+  await expect(() => fault.locator('tr[data-nearby="#local"] .value.number').innerText(), 'W#16#1234');
+  assert.equal(await fault.locator('tr[data-nearby]').count(), 1, 'W#16#FFFF is no operand');
+  await toLine(fault, 12);
+  await fault.getByRole('switch', { name: 'Status' }).click();
+  await fault.getByRole('status').filter({ hasText: /nicht beobachtet oder nicht bearbeitet\..*„Beobachten“/ }).waitFor();
+  await fault.getByRole('switch', { name: 'Status' }).click();
 });
 
 test('the status of the run that a fault ended stays, also for who leaves the block and comes back', async () => {

@@ -33,6 +33,11 @@ test('the operands of the network with the cursor, each once', () => {
   expect(at(1)).toEqual(at(5));
 });
 
+test('constants are no operands', () => {
+  const all = ['L W#16#FFFF;', 'L P#M 10.0;', 'L P#DB5.DBX 0.0;', 'L S5T#2S;', 'L #FFFF;', 'L MW 10;'];
+  expect(operandsIn(all, isBlock)).toEqual(['#FFFF', 'MW 10']);
+});
+
 test('where the operands of a line end', () => {
   const line = '      L     "Plant data".Small; T MW   10; // MW 20';
   expect(operandsOf(line).map(({ written, end }) => [written, line.slice(end, end + 1)])).toEqual([

@@ -3,9 +3,9 @@ import type { BlockOutline } from './outline';
 
 const comment = /\/\/.*$/;
 // A symbol with the way into its data, a local variable, a formal operand of STEP 5, data of a named block, a bit or a wider operand, a
-// timer or counter.
+// timer or counter. What stands behind a "#" is a constant: W#16#FFFF, P#M 10.0.
 const operand =
-  /"[^"]+"(?:\.[A-Za-z_]\w*(?:\[[^\]]*\])?)*|#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*|(?<=\s)=[A-Za-z]\w*|\bDB\s?\d+\.DB(?:X\s*\d+\.[0-7]|[BWD]\s*\d+)|\b[EIAQM]\s*\d+\.[0-7]\b|\b[EIAQM][BWD]\s*\d+\b|\b[TZC]\s+\d+\b/gi;
+  /"[^"]+"(?:\.[A-Za-z_]\w*(?:\[[^\]]*\])?)*|(?<!\w)#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*|(?<=\s)=[A-Za-z]\w*|(?<![\w#])DB\s?\d+\.DB(?:X\s*\d+\.[0-7]|[BWD]\s*\d+)|(?<![\w#])[EIAQM]\s*\d+\.[0-7]\b|\b[EIAQM][BWD]\s*\d+\b|\b[TZC]\s+\d+\b/gi;
 
 /** First and last line of the network at the cursor; of the block where it has none. */
 export function networkLines(block: BlockOutline, line: number): { first: number; last: number } {

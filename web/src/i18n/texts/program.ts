@@ -76,6 +76,10 @@ export const program = {
     'Die CPU steht; dieser Baustein hat einen Status, sobald er bearbeitet wird.',
     'The CPU stands still; this block has a status as soon as it is processed.',
   ],
+  statusStopped: [
+    'Vor dem STOP wurde dieser Baustein nicht beobachtet oder nicht bearbeitet. Was seine Operanden jetzt haben, zeigt „Beobachten“.',
+    'Before the STOP this block was not monitored or not processed. “Monitor” shows what its operands have now.',
+  ],
   statusNotRunning: ['Der Baustein wird nicht bearbeitet.', 'The block is not being processed.'],
   sideList: ['Liste der Bausteine und Dateien', 'List of blocks and files'],
   sideWidth: ['Breite der Liste der Bausteine', 'Width of the list of blocks'],
