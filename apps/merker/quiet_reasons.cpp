@@ -51,7 +51,7 @@ std::string text(const QuietCycles::Reason& reason, const Build& built) {
   return reason.changed.empty() ? reason.text : reason.text + writersOf(reason.changed, built);
 }
 
-void print(std::uint64_t cycles, std::uint64_t all, const std::string& text) {
+void printReason(std::uint64_t cycles, std::uint64_t all, const std::string& text) {
   const double share = 100.0 * static_cast<double>(cycles) / static_cast<double>(all);
   std::cout << fmt::format("{:10} {:5.1f} %  {}\n", cycles, share, text);
 }
@@ -60,11 +60,11 @@ void print(std::uint64_t cycles, std::uint64_t all, const std::string& text) {
 void printReasons(const QuietCycles& quiet, std::uint64_t computed, const Build& built) {
   std::uint64_t told = 0;
   for (const QuietCycles::Reason& reason : quiet.whyComputed()) {
-    print(reason.cycles, computed, text(reason, built));
+    printReason(reason.cycles, computed, text(reason, built));
     told += reason.cycles;
   }
   if (told < computed)
-    print(computed - told, computed,
+    printReason(computed - told, computed,
           "not asked for: a start, or an interrupt at the end of the cycle");
 }
 
