@@ -65,7 +65,7 @@ void printReasons(const QuietCycles& quiet, std::uint64_t computed, const Build&
   }
   if (told < computed)
     printReason(computed - told, computed,
-          "not asked for: a start, or an interrupt at the end of the cycle");
+                "not asked for: a start, or an interrupt at the end of the cycle");
 }
 
 }  // namespace

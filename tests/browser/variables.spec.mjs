@@ -119,6 +119,11 @@ test('a thousand rows are some rows of the page; the last one is reached', async
     for (const one of [main, ...main.querySelectorAll('*')]) one.scrollTop = one.scrollHeight;
   });
   await lists('M 200.7');
+  for (const [width, height] of [[768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    for (const one of [page.locator('thead th').nth(1), page.getByRole('button', { name: 'Steuern', exact: true })])
+      await until(async () => (await one.boundingBox()).y > 0, 'heading and controls in sight');
+  }
   assert.ok((await operands()).length < 120, `${(await operands()).length} rows`);
   await fresh();
   await expect(() => page.locator('tbody tr').count(), 1);
@@ -178,6 +183,27 @@ test('comment lines stay in the table; another one asks about what is not saved'
   assert.equal(readFileSync(path, 'utf-8'), text.replace('; 5', '; 6'));
   await page.getByRole('button', { name: 'Neu', exact: true }).click();
   await expect(() => page.getByRole('dialog').count(), 0);
+});
+
+test('what somebody else has saved is not overwritten without a question', async () => {
+  const path = join(server.project, 'drives.vat');
+  const files = page.getByLabel('Tabelle', { exact: true });
+  await files.selectOption('drives.vat');
+  await row('MW 12').waitFor();
+  writeFileSync(path, '// operand ; format ; modify value\nMW 12\nMW 500\n');
+  await row('MW 500').waitFor();
+  await row('MW 500').locator('.modify input').fill('6');
+  writeFileSync(path, '// operand ; format ; modify value\nMW 12\nMW 502\n');
+  await page.getByRole('button', { name: 'Speichern', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Tabelle überschreiben?' });
+  await accessible(page, 'overwrite');
+  assert.match(readFileSync(path, 'utf-8'), /MW 502/);
+  await dialog.getByRole('button', { name: 'Abbrechen' }).click();
+  await row('MW 500').waitFor();
+  await page.getByRole('button', { name: 'Speichern', exact: true }).click();
+  await dialog.getByRole('button', { name: 'Überschreiben' }).click();
+  await until(() => /MW 500 ; AUTO ; 6/.test(readFileSync(path, 'utf-8')), () => readFileSync(path, 'utf-8'));
+  await fresh();
 });
 
 test('a value that cannot be read has its reason', async () => {

@@ -12,8 +12,9 @@ interface Draft {
   rows: Row[];
   monitor?: Trigger;
   modify?: Trigger;
-  /** What its file holds. */
+  /** What its file holds as this browser writes it, and as it was read. */
   saved?: string;
+  stored?: string;
 }
 
 const drafts = kept<Record<string, Draft>>('variables', {});
@@ -28,7 +29,10 @@ export class Table {
   files = $state<string[]>([]);
   monitor = $state.raw<Trigger>(atOnce);
   modify = $state.raw<Trigger>(atOnce);
+  /** A file that somebody else has changed, or that is another table: it is asked whether to overwrite it. */
+  others = $state('');
   private saved = EMPTY;
+  private stored: string | undefined;
   private project = '';
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -43,6 +47,7 @@ export class Table {
     this.monitor = draft?.monitor ?? atOnce;
     this.modify = draft?.modify ?? atOnce;
     this.saved = draft?.saved ?? (draft ? '' : EMPTY);
+    this.stored = draft?.stored;
     this.complete();
   }
 
@@ -90,14 +95,15 @@ export class Table {
   keep(): void {
     clearTimeout(this.timer);
     if (!this.project) return;
-    const { path, monitor, modify, saved } = this;
-    const draft = { path, rows: $state.snapshot(this.rows), monitor, modify, saved };
+    const { path, monitor, modify, saved, stored } = this;
+    const draft = { path, rows: $state.snapshot(this.rows), monitor, modify, saved, stored };
     drafts.value = { ...untrack(() => drafts.value), [this.project]: draft };
   }
 
   async list(): Promise<void> {
     const answer = await connection.ask('files.list').catch(() => null);
     if (answer) this.files = answer.files.map((file) => file.path).filter((path) => /\.vat$/i.test(path));
+    await this.refresh();
   }
 
   /** The text of its file. */
@@ -124,27 +130,42 @@ export class Table {
 
   async open(path: string): Promise<void> {
     const file = await attempt(connection.ask('files.read', { path }));
-    if (!file) return;
+    if (file) this.take(path, file.text);
+  }
+
+  /** Somebody else may have changed the file: shown where nothing here is unsaved. */
+  async refresh(): Promise<void> {
+    const { path } = this;
+    if (!path || !this.files.includes(path) || this.changed()) return;
+    const file = await connection.ask('files.read', { path }).catch(() => null);
+    if (file && path === this.path && file.text !== this.stored && !this.changed()) this.take(path, file.text);
+  }
+
+  private take(path: string, text: string): void {
     this.path = path;
-    this.rows = parseTable(file.text);
-    Object.assign(this, parseTriggers(file.text));
+    this.stored = text;
+    this.rows = parseTable(text);
+    Object.assign(this, parseTriggers(text));
     this.saved = this.print();
     this.complete();
   }
 
-  /** True if the file holds the table now. */
-  async save(path: string): Promise<boolean> {
+  /** True if the file holds the table now. `overwrite`: what somebody else has written there goes. */
+  async save(path: string, overwrite = false): Promise<boolean> {
     const text = this.print();
     const there = this.files.includes(path);
     const old = there ? await attempt(connection.ask('files.read', { path })) : undefined;
     if (there && !old) return false;
+    const known = path === this.path && (this.stored === undefined || old?.text === this.stored);
+    this.others = old && !known && !overwrite ? path : '';
+    if (this.others) return false;
     // A new file appears with its text at once: nobody sees, and no kill leaves, an empty table.
     const answer = old
       ? connection.ask('files.write', { path, text, revision: old.revision })
       : connection.ask('files.create', { path, text });
     if ((await attempt(answer)) === undefined) return false;
     this.path = path;
-    this.saved = text;
+    this.saved = this.stored = text;
     return true;
   }
 }
