@@ -42,6 +42,18 @@ test('project and CPU are compared block by block (S7-MGR-15)', async () => {
   await picture(page, 'projects');
 });
 
+test('what a dialog is refused stands in it and can be closed', async () => {
+  await page.getByRole('button', { name: 'Neues Projekt …' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByLabel('Projektname').fill('Größe "A" 1/2');
+  await page.keyboard.press('Enter');
+  await dialog.getByRole('alert').waitFor();
+  await accessible(page, 'refused in a dialog');
+  await dialog.getByRole('alert').getByRole('button').click();
+  await expect(() => page.getByRole('alert').count(), 0);
+  await leave(page);
+});
+
 test('an example is opened as a copy', async () => {
   const before = server.project;
   await page.getByRole('searchbox').fill('traffic');

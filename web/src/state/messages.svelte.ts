@@ -16,6 +16,8 @@ export interface Message {
   method: string;
   /** Until somebody closes it; good news goes by itself. */
   stays: boolean;
+  /** The dialog that was open: what lies below cannot be pressed. */
+  dialog?: string;
 }
 
 const NOWHERE = { code: '', file: '', line: 0, column: 0, method: '' };
@@ -26,6 +28,8 @@ const DONE_MS = 6000;
 /** What the page has to tell: newest last. The shell shows it at the lower edge. */
 class Messages {
   list = $state<Message[]>([]);
+  /** Open dialogs, the last one on top. */
+  private dialogs: string[] = [];
   private nextId = 1;
   /** What has a number below this was there when somebody did something last. */
   private known = 0;
@@ -57,6 +61,15 @@ class Messages {
     this.known = this.nextId;
   }
 
+  /** A dialog opens; the result closes it. What it was refused is no news then. */
+  enter(dialog: string): () => void {
+    this.dialogs.push(dialog);
+    return () => {
+      this.dialogs = this.dialogs.filter((one) => one !== dialog);
+      this.list = this.list.filter((one) => one.dialog !== dialog);
+    };
+  }
+
   dismiss(id: number): void {
     this.list = this.list.filter((message) => message.id !== id);
   }
@@ -74,7 +87,8 @@ class Messages {
 
   private add(message: Omit<Message, 'id'>): number {
     const rest = this.list.filter((old) => old.text !== message.text || old.file !== message.file);
-    this.list = [...rest, { ...message, id: this.nextId }].slice(-SHOWN);
+    const dialog = message.kind === 'problem' ? this.dialogs.at(-1) : undefined;
+    this.list = [...rest, { ...message, dialog, id: this.nextId }].slice(-SHOWN);
     return this.nextId++;
   }
 }
