@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { text, toLine } from './editor.mjs';
+import { content, text, toLine } from './editor.mjs';
 import { expect, open, picture, serve, until, visit } from './harness.mjs';
 
 const server = await serve('06-first-program');
@@ -54,6 +54,28 @@ test('the other text is taken, and undo brings ours back', async () => {
   await page.locator('.code .cm-content').focus();
   await page.keyboard.press('Control+z');
   await has(page, '// not saved');
+});
+
+test('what is in sight stays when somebody else changes the text above it and below', async () => {
+  const own = await serve('sorting-plant');
+  const reader = await open(own, 'program?file=sorting.awl');
+  const path = join(own.project, 'sorting.awl');
+  const lines = readFileSync(path, 'utf-8').split('\n');
+  const middle = Math.round(lines.length / 2);
+  await until(async () => (await text(reader)) === lines.join('\n'), 'the text');
+  await toLine(reader, middle);
+  const firstInSight = () =>
+    content(reader).evaluate((element) => {
+      const { view } = element.cmTile.root;
+      const { left, top } = view.scrollDOM.getBoundingClientRect();
+      const { from } = view.state.doc.lineAt(view.posAtCoords({ x: left + 200, y: top + 12 }, false));
+      return view.state.sliceDoc(from, from + 200);
+    });
+  const before = await firstInSight();
+  writeFileSync(path, ['// above', ...lines, '// below'].join('\n'));
+  await has(reader, '// below');
+  await reader.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  assert.equal(await firstInSight(), before);
 });
 
 test('two tabs of one browser: what the one saves costs the other nothing', async () => {

@@ -10,7 +10,7 @@ import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, r
 import { bracketMatching, indentUnit } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
 import { gotoLine, highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
-import { Annotation, Compartment, EditorState, type Extension, type Text } from '@codemirror/state';
+import { Annotation, Compartment, EditorState, type Extension } from '@codemirror/state';
 import {
   drawSelection,
   EditorView,
@@ -33,6 +33,7 @@ import { operandHover, type HoverHooks } from './hover';
 import { phrases } from './phrases';
 import { diagnostics } from './problems';
 import { setStatus, statusDisplay, statusField, type StatusRow } from './status_columns';
+import { textChanges } from './text_changes';
 import { displaySetting, symbolicDisplay, type DisplaySetting } from './symbolic';
 
 export interface EditorHooks extends HoverHooks {
@@ -52,13 +53,6 @@ const fromOutside = Annotation.define<boolean>();
 
 const isTyped = (update: ViewUpdate): boolean =>
   update.transactions.every((one) => !one.docChanged || one.isUserEvent('input.type') || one.isUserEvent('delete'));
-
-/** The place in the line of this number, as far behind its beginning. */
-function sameLine(before: Text, at: number, after: Text): number {
-  const { number, from } = before.lineAt(at);
-  const line = after.line(Math.min(number, after.lines));
-  return Math.min(line.from + at - from, line.to);
-}
 
 export class CodeEditor {
   readonly view: EditorView;
@@ -87,28 +81,12 @@ export class CodeEditor {
     this.view.setState(state);
   }
 
-  /** Changes the text where it differs, as one step that can be undone; the cursor stays at its word, or in its line. */
+  /** Changes the text where it differs, as one step that can be undone: what is in sight stays. */
   replace(text: string): void {
     const { doc, selection } = this.view.state;
-    const old = doc.toString();
-    if (old === text) return;
-    const shorter = Math.min(old.length, text.length);
-    let start = 0;
-    while (start < shorter && old[start] === text[start]) start++;
-    let end = 0;
-    while (end < shorter - start && old[old.length - 1 - end] === text[text.length - 1 - end]) end++;
-    const changes = this.view.state.changes({
-      from: start,
-      to: old.length - end,
-      insert: text.slice(start, text.length - end),
-    });
-    const { head } = selection.main;
-    const isInside = start < head && head < old.length - end;
-    this.view.dispatch({
-      changes,
-      ...(isInside && { selection: { anchor: sameLine(doc, head, changes.apply(doc)) } }),
-      annotations: fromOutside.of(true),
-    });
+    if (doc.toString() === text) return;
+    const after = this.view.state.toText(text);
+    this.view.dispatch({ ...textChanges(doc, after, selection.main.head), annotations: fromOutside.of(true) });
   }
 
   /** Lines [from, to) become these, as one step that can be undone by itself. */
