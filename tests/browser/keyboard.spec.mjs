@@ -141,6 +141,21 @@ test('F6 goes round the panes of the program, Esc and Tab lead out of the text',
   await until(async () => (await pane()) !== 'text', 'out of the text');
 });
 
+test('the menu of the text gives the keyboard back to it', async () => {
+  const inText = () => page.evaluate(() => document.querySelector('.code').shadowRoot.activeElement?.className.includes('cm-content') ?? false);
+  await toPane('text');
+  for (const leave of [['Escape'], ['Tab'], ['ArrowUp', 'Enter']]) {
+    await page.keyboard.press('Control+j');
+    await page.getByRole('menuitem').first().waitFor();
+    for (const key of leave) await page.keyboard.press(key);
+    await expect(inText, true, `after ${leave}`);
+    await expect(() => page.getByRole('menuitem').count(), 0);
+  }
+  await page.keyboard.press('Control+j');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Enter'); // the breakpoint is off again
+});
+
 test('Ctrl S saves and Ctrl L loads from every pane of the program', async () => {
   const unsaved = page.getByText('nicht gespeichert').first();
   for (const [index, wanted] of ['drawer', 'list', 'bar'].entries()) {
