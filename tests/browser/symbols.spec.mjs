@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { expect, open, picture, quiet, scratch, serve, until } from './harness.mjs';
+import { accessible } from './axe.mjs';
+import { expect, open, picture, quiet, scratch, serve, until, visit } from './harness.mjs';
 
 const server = await serve('09-symbols');
 const file = join(server.project, 'symbols.sym');
@@ -117,4 +118,32 @@ test('a broken file is refused with its places, and nothing is said to have come
   // The file is none of the project.
   assert.equal(await page.locator('.message').getByRole('button', { name: 'Stelle öffnen' }).count(), 0);
   assert.equal(await rows.count(), before);
+});
+
+test('the uses of a renamed symbol are replaced, or looked at one by one', async () => {
+  const own = await serve('sorting-plant');
+  const table = await open(own, 'symbols');
+  const source = (name = 'sorting.awl') => readFileSync(join(own.project, name), 'utf-8');
+  const rename = async (name) => {
+    await table.getByLabel('Symbol 4', { exact: true }).fill(name);
+    await until(() => table.getByRole('button', { name: 'Speichern', exact: true }).isEnabled(), 'a table without problems');
+    await table.keyboard.press('Control+s');
+  };
+  const question = table.locator('.renamed');
+  await expect(() => table.getByLabel('Symbol 4', { exact: true }).inputValue(), 'Slider small');
+  await rename('Slider tiny');
+  await until(async () => /"Slider small" → "Slider tiny": 2 Stellen in 2 Dateien/.test(await question.innerText()), 'the question');
+  await accessible(table, 'a renamed symbol');
+  await question.getByRole('button', { name: 'Ersetzen', exact: true }).click();
+  await until(() => source().includes(':= "Slider tiny")') && source('sizes.scn').includes('expect "Slider tiny"'), 'the new name in the sources');
+  assert.ok(!source().includes('"Slider small"'));
+  await expect(() => question.count(), 0);
+  await rename('Slider one');
+  await question.getByRole('button', { name: 'Suchen und ersetzen …' }).click();
+  const panel = table.locator('#program-panel');
+  await expect(() => panel.locator('tr[data-hit] del').count(), 2, 'places');
+  await expect(() => panel.locator('tr[data-hit] ins').first().innerText(), '"Slider one"');
+  await visit(table, own, 'symbols');
+  await question.getByRole('button', { name: 'So lassen' }).click();
+  await expect(() => question.count(), 0);
 });

@@ -5,6 +5,7 @@ import { Drafts } from '../editor/drafts';
 import { pastedInto } from '../state/pasted';
 import { attempt, messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
+import { renamedUses } from './renamed_uses.svelte';
 import { emptyRow, fromText, isEmpty, meaningful, toText, type Field, type SymbolRow, type Format } from './rows';
 
 const CHECK_AFTER_MS = 250;
@@ -15,6 +16,8 @@ class SymbolTable {
   path = $state('');
   private document = $state<OpenDocument | null>(null);
   private folder = '';
+  /** As the server has it. */
+  private known: readonly SymbolRow[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   get dirty(): boolean {
@@ -34,6 +37,7 @@ class SymbolTable {
     const answer = await attempt(connection.ask('symbols.read'));
     if (!answer) return;
     this.path = answer.path;
+    this.known = answer.rows;
     // A line that is no row would be gone when the table is saved.
     messages.problems(
       answer.problems.filter((one) => one.severity === 'error'),
@@ -88,6 +92,8 @@ class SymbolTable {
         revision: document.revision,
       });
       document.saved(toText(rows), revision);
+      void renamedUses.look(this.known, rows, this.path);
+      this.known = rows;
       this.problems = [];
       return true;
     } catch (error) {

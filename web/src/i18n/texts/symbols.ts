@@ -38,6 +38,21 @@ export const symbols = {
   ],
   keepMine: ['Meine Tabelle behalten', 'Keep my table'],
   takeTheirs: ['Andere Tabelle übernehmen', 'Take the other table'],
+  uses: [
+    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien} {count|hat|haben} noch den alten Namen. Ersetzen?',
+    '{count} {count|place|places} in {files} {files|file|files} still {count|has|have} the old name. Replace?',
+  ],
+  replaceUses: ['Ersetzen', 'Replace'],
+  searchUses: ['Suchen und ersetzen …', 'Find and replace …'],
+  leaveUses: ['So lassen', 'Leave as is'],
+  usesReplaced: [
+    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien} ersetzt. „Suchen“ nimmt es zurück.',
+    '{count} {count|place|places} in {files} {files|file|files} replaced. “Find” takes it back.',
+  ],
+  usesUnsaved: [
+    'Ersetzt, aber noch nicht gespeichert, weil dort schon anderes geändert war: {files}',
+    'Replaced but not yet saved, as there were other changes before: {files}',
+  ],
   none: ['Noch keine Symbole.', 'No symbols yet.'],
   rules: [
     'Symbol bis 24, Kommentar bis 80 Zeichen; jedes Symbol und jeder Operand nur einmal.',
