@@ -31,6 +31,33 @@ for (const [project, views] of Object.entries(PROJECTS))
   });
 
 
+test('find and replace in the text and the way to a line have room for a finger', async () => {
+  const page = await open(await serve(), 'program?file=sorting.awl', { width: 1024, height: 768 });
+  await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));
+  await page.reload();
+  for (const key of ['Control+f', 'Control+g']) {
+    await page.locator('.code .cm-content').focus();
+    await page.keyboard.press(key);
+    await page.locator('.code .cm-panel input').first().waitFor();
+    const small = () =>
+      page.locator('.code .cm-panels').evaluate((panels) =>
+        [...panels.querySelectorAll('button, input')].flatMap((one) => {
+          const { width, height } = (one.closest('label:has([type=checkbox])') ?? one).getBoundingClientRect();
+          return Math.min(width, height) < 40 ? [`${one.name || one.textContent}: ${width} x ${height}`] : [];
+        }),
+      );
+    await until(async () => (await small()).length === 0, () => key);
+    assert.deepEqual(await small(), []);
+    // The cross covers nothing else.
+    const covered = await page.locator('.code .cm-panels').evaluate((panels) => {
+      const close = panels.querySelector('[name=close]')?.getBoundingClientRect();
+      return close && [...panels.querySelectorAll('input, button:not([name=close])')].some((one) => one.getBoundingClientRect().right > close.left && one.getBoundingClientRect().top < close.bottom);
+    });
+    assert.ok(!covered, `the cross lies on another control: ${key}`);
+    await page.keyboard.press('Escape');
+  }
+});
+
 test('the front plate unfolded, search and references as well', async () => {
   const page = await open(await serve(), 'program?file=sorting.awl', { width: 768, height: 1024 });
   await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));

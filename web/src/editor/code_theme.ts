@@ -68,6 +68,12 @@ export const codeTheme = EditorView.theme({
 
   '.cm-panels': { backgroundColor: 'var(--plate)', color: 'var(--ink)' },
   '.cm-panels-bottom': { borderTop: '1px solid var(--line-strong)' },
+  // A finger needs room: the row of the page is higher then.
+  '.cm-panel button, .cm-panel .cm-textfield': { minHeight: 'var(--row)' },
+  '.cm-panel label': { display: 'inline-flex', alignItems: 'center', minHeight: 'var(--row)' },
+  '.cm-panel input[type=checkbox]': { width: 'calc(var(--row) / 2)', height: 'calc(var(--row) / 2)' },
+  '.cm-panel [name=close]': { minWidth: 'var(--row)' },
+  '.cm-panel:has([name=close])': { paddingRight: 'calc(var(--row) + 8px)' },
   '.cm-panel input, .cm-panel button': { fontFamily: 'var(--sans)', fontSize: 'var(--text)' },
   '.cm-textfield': { backgroundColor: 'var(--raised)', border: '1px solid var(--line-strong)' },
   '.cm-button': { backgroundImage: 'none', backgroundColor: 'var(--raised)', border: '1px solid var(--line-strong)' },
