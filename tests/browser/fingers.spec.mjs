@@ -31,6 +31,18 @@ for (const [project, views] of Object.entries(PROJECTS))
   });
 
 
+test('a tablet held across: the buttons of the files stand in one row', async () => {
+  const page = await open(await serve(), 'program?file=sorting.awl', { width: 1024, height: 768 });
+  await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));
+  await page.reload();
+  await page.getByRole('button', { name: 'Datei löschen' }).waitFor();
+  const tops = () => page.locator('.files-head button').evaluateAll((all) => all.map((one) => Math.round(one.getBoundingClientRect().top)));
+  await until(async () => (await tops()).length === 4, 'four buttons');
+  await until(async () => new Set(await tops()).size === 1, 'one row');
+  const found = await crowding(page);
+  assert.deepEqual(found, []);
+});
+
 test('find and replace in the text and the way to a line have room for a finger', async () => {
   const page = await open(await serve(), 'program?file=sorting.awl', { width: 1024, height: 768 });
   await page.evaluate(() => localStorage.setItem('merker.comfortable', 'true'));
