@@ -26,6 +26,29 @@ test('status: VKE, STA and AKKU 1 behind each statement (S7-EDIT-21)', async () 
   await picture(page, 'program-status');
 });
 
+test('of a block called with several instance data blocks one is chosen (S7-EDIT-21)', async () => {
+  await block('FB 2').click();
+  const list = page.getByRole('combobox', { name: 'Aufrufumgebung' });
+  await until(async () => (await list.locator('option').allInnerTexts()).join().startsWith('letzter Aufruf: DB 13'), 'the last call');
+  await expect(() => list.locator('option').count(), 4);
+  const line = await lineOf('L     #Travel;');
+  const travel = (time) => until(async () => time.test((await statusOf(page, line)).join(' ')), `${time}`);
+  await toLine(page, line);
+  await travel(/S5T#7S|0700$/);
+  await list.selectOption({ label: 'DB 11 Small boxes' });
+  await travel(/S5T#3S|0300$/);
+  // Who looks at another block meanwhile finds the call again.
+  await block('OB 1').click();
+  await expect(() => list.count(), 0);
+  await block('FB 2').click();
+  await expect(() => list.locator('option:checked').innerText(), 'DB 11 Small boxes');
+  await accessible(page, 'a call environment');
+  await list.selectOption({ index: 0 });
+  await toLine(page, line);
+  await travel(/S5T#7S|0700$/);
+  await block('FB 1').click();
+});
+
 test('more columns on demand (S7-EDIT-21)', async () => {
   await page.locator('summary', { hasText: 'Spalten' }).click();
   await page.getByRole('checkbox', { name: 'STW' }).check();

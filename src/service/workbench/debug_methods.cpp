@@ -27,12 +27,16 @@ Result<BlockId> blockOf(const Call& call) {
 
 Answer show(const Call& call) {
   const auto block = blockOf(call);
+  monitor::CallEnvironment environment;
+  if (call.fields.has("instance"))
+    environment.di = static_cast<std::uint16_t>(call.fields.integer("instance", 1, UINT16_MAX));
   if (!call.fields.good()) return call.fields.problems();
   if (!block) return one(block.error());
   const auto code = call.monitor().program().find(*block);
   if (!code || code->length() == 0) return refused(ProblemCode::P1207, toString(*block));
-  call.browser.status.emplace(*block);
-  call.shared.wantedStatus[call.id] = *block;
+  const monitor::StatusWish wish{*block, environment};
+  call.browser.status.emplace(wish);
+  call.shared.wantedStatus[call.id] = wish;
   call.shared.probesWait = true;
   call.shared.placeProbes();  // a cycle may be asked for next
   return Json{{"block", toString(*block)}};

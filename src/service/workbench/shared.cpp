@@ -47,7 +47,7 @@ void Shared::showStation(std::size_t number) {
 void Shared::leave() {
   monitor::Debugger& debugger = plc->monitor().debugger();
   placed_.place(plc->monitor(), folder, {});
-  debugger.keepStatus([](BlockId) { return false; });
+  debugger.keepStatus([](const auto&) { return false; });
   if (plc->controller().mode() == controller::Mode::Halt) debugger.run(plc->controller().now(), {});
 }
 
@@ -199,24 +199,25 @@ void Shared::discard(std::shared_ptr<const void> what) {
 
 namespace {
 
-void addStatus(Plc& plc, BlockId block) {
+void addStatus(Plc& plc, const monitor::StatusWish& wish) {
   monitor::Monitor& monitor = plc.monitor();
   const compilation::Build& build = plc.build();
-  const auto code = monitor.program().find(block);
-  if (!code || monitor.debugger().status(block) != nullptr) return;
+  const auto code = monitor.program().find(wish.block);
+  if (!code || monitor.debugger().status(wish.block, wish.environment) != nullptr) return;
   std::vector<monitor::CallValues> calls;
   if (build.program != nullptr && build.library != nullptr)
     calls = monitor::callsOf(*code, *build.program, *build.library, monitor.resolver());
-  monitor.debugger().addStatus(block, {}, std::move(calls));
+  monitor.debugger().addStatus(wish.block, wish.environment, std::move(calls));
 }
 
 }  // namespace
 
 // In STOP the status of the run that ended is all there will be: who comes back to it finds it.
-bool Shared::isWanted(BlockId block) const {
-  if (std::ranges::any_of(wantedStatus, [block](const auto& one) { return one.second == block; }))
+bool Shared::isWanted(const monitor::ProgramStatus& status) const {
+  if (std::ranges::any_of(wantedStatus,
+                          [&](const auto& one) { return one.second == status.wish(); }))
     return true;
-  return statusRests_ && plc->monitor().debugger().status(block)->calls() > 0;
+  return statusRests_ && status.calls() > 0;
 }
 
 void Shared::placeProbes() {
@@ -231,8 +232,8 @@ void Shared::placeProbes() {
   const bool same = placedProgram_ == programRevision;
   statusRests_ = stopped;
   // While time stands, what was recorded is all there is.
-  debugger.keepStatus([&](BlockId block) { return same && isWanted(block); });
-  for (const auto& [browser, block] : wantedStatus) addStatus(*plc, block);
+  debugger.keepStatus([&](const auto& one) { return same && isWanted(one); });
+  for (const auto& [browser, wish] : wantedStatus) addStatus(*plc, wish);
   if (same && placed_.are(breakpoints)) return;
   placed_.place(plc->monitor(), folder, breakpoints);
   placedProgram_ = programRevision;

@@ -67,11 +67,11 @@ struct Shared {
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;
-  std::weak_ptr<Upload> upload;                   // of all browsers one
-  std::uint64_t uploadOwner = 0;                  // the browser
-  std::weak_ptr<Task> adding;                     // that adds files to the project
-  std::map<std::uint64_t, BlockId> wantedStatus;  // by browser
-  std::optional<Instant> stepEnds;                // of the single step that goes on
+  std::weak_ptr<Upload> upload;                               // of all browsers one
+  std::uint64_t uploadOwner = 0;                              // the browser
+  std::weak_ptr<Task> adding;                                 // that adds files to the project
+  std::map<std::uint64_t, monitor::StatusWish> wantedStatus;  // by browser
+  std::optional<Instant> stepEnds;                            // of the single step that goes on
   bool probesWait = false;  // breakpoints and program status are not those that are wanted
 
   // `seen`: what stands in its folder.
@@ -118,7 +118,7 @@ struct Shared {
   OfflineRef offline_;
   void dropWorks();
   void leave();
-  bool isWanted(BlockId block) const;  // its status
+  bool isWanted(const monitor::ProgramStatus& status) const;  // its status
   void exchange(std::shared_ptr<Plc> fresh);
 
   std::optional<station::Engine> engine_;  // of the PLC before

@@ -59,7 +59,7 @@ Json rowsOf(const monitor::ProgramStatus& status) {
 
 Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
                          std::int64_t nowMs) {
-  const monitor::ProgramStatus* status = monitor.debugger().status(block_);
+  const monitor::ProgramStatus* status = monitor.debugger().status(wish_.block, wish_.environment);
   if (status == nullptr) return nullptr;
   const Instant now = monitor.plc().now();
   const controller::Mode mode = monitor.plc().mode();
@@ -68,15 +68,16 @@ Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
   at_ = now;
   if (status->calls() != calls_ || stands) calls_ = status->calls(), since_ = nowMs;
   const bool quiet = calls_ == 0 || nowMs - since_ > kQuiet;
-  Json rows = quiet ? Json(nullptr) : rowsOf(*status);
-  if (told_ && rows == rows_) return nullptr;
-  told_ = true;
-  rows_ = rows;
-  return {{"event", "status"},
-          {"block", toString(block_)},
-          {"file", folder.relative(status->code().file())},
-          {"calls", calls_},
-          {"rows", std::move(rows)}};
+  Json event = {{"event", "status"},
+                {"block", toString(wish_.block)},
+                {"file", folder.relative(status->code().file())},
+                {"instances", status->instances()},
+                {"rows", quiet ? Json(nullptr) : rowsOf(*status)}};
+  if (status->instance() && !quiet) event["instance"] = *status->instance();
+  if (event == told_) return nullptr;
+  told_ = event;
+  event["calls"] = calls_;
+  return event;
 }
 
 }  // namespace merker::workbench

@@ -9,19 +9,17 @@ namespace merker::workbench {
 
 class StatusView {
  public:
-  explicit StatusView(BlockId block) : block_(block) {}
+  explicit StatusView(monitor::StatusWish wish) : wish_(wish) {}
 
-  BlockId block() const { return block_; }
   // The event "status"; null if there is nothing new.
   Json changes(monitor::Monitor& monitor, const ProjectFolder& folder, std::int64_t nowMs);
 
  private:
-  BlockId block_;
+  monitor::StatusWish wish_;
   std::uint64_t calls_ = 0;
   std::int64_t since_ = 0;  // when it was called last, on the wall
   Instant at_{};            // time of the CPU when it was looked at last
-  Json rows_;               // as told last
-  bool told_ = false;
+  Json told_;               // last; null: nothing yet
 };
 
 }  // namespace merker::workbench

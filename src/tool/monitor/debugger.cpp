@@ -75,8 +75,7 @@ Breakpoint* Debugger::breakpointAt(BlockId block, std::uint32_t offset) {
 }
 
 bool Debugger::before(Spot& spot) {
-  ProgramStatus* const shown = statusOf(spot.code.id());
-  if (shown != nullptr) shown->arrived(spot);
+  tellStatuses(spot, &ProgramStatus::arrived);
   const At here{spot.code.id(), spot.identity, spot.offset, spot.depth.frames};
   const bool leaving = leaveFrom_ == here;
   if (leaving) leaveFrom_.reset();
@@ -84,7 +83,7 @@ bool Debugger::before(Spot& spot) {
   if (stop != nullptr && !stop->enabled) stop = nullptr;
   const bool stepped = !leaving && step_ && stepEnds(spot);
   if ((stop != nullptr || stepped) && holdAt(spot, here, stop)) return true;
-  if (shown != nullptr) shown->before(spot);
+  tellStatuses(spot, &ProgramStatus::before);
   tellWatchers(spot, &InstructionWatcher::before);
   return false;
 }
@@ -99,7 +98,7 @@ bool Debugger::holdAt(Spot& spot, const At& here, Breakpoint* stop) {
 }
 
 void Debugger::after(const Spot& spot) {
-  if (ProgramStatus* shown = statusOf(spot.code.id())) shown->after(spot);
+  tellStatuses(spot, &ProgramStatus::after);
   tellWatchers(spot, &InstructionWatcher::after);
   // The OB has ended: what runs next is as good as the caller.
   if (step_ && spot.levelEnded && spot.depth.levels <= step_->depth.levels)
@@ -198,16 +197,10 @@ Pause Debugger::runToCheckpoint(Instant limit) {
 
 std::optional<SourcePlace> Debugger::position() const { return target_.position(); }
 
-ProgramStatus* Debugger::statusOf(BlockId block) {
-  for (ProgramStatus& one : statuses_)
-    if (one.code().id() == block) return &one;
-  return nullptr;
-}
-
-const ProgramStatus* Debugger::status(BlockId block) const {
-  for (const ProgramStatus& one : statuses_)
-    if (one.code().id() == block) return &one;
-  return nullptr;
+const ProgramStatus* Debugger::status(BlockId block, CallEnvironment environment) const {
+  const auto found =
+      std::ranges::find(statuses_, StatusWish{block, environment}, &ProgramStatus::wish);
+  return found == statuses_.end() ? nullptr : &*found;
 }
 
 bool Debugger::showStatus(BlockId block, CallEnvironment environment) {
@@ -221,7 +214,8 @@ bool Debugger::addStatus(BlockId block, CallEnvironment environment,
                          std::vector<CallValues> values) {
   const auto code = target_.program().find(block);
   if (!code || code->length() == 0) return false;
-  if (statusOf(block) == nullptr) statuses_.emplace_back(*code, environment, std::move(values));
+  if (status(block, environment) == nullptr)
+    statuses_.emplace_back(*code, environment, std::move(values));
   place();
   return true;
 }
@@ -231,6 +225,11 @@ void Debugger::watch(const std::shared_ptr<InstructionWatcher>& watcher) {
   place();
 }
 
+void Debugger::tellStatuses(const Spot& spot, void (ProgramStatus::*what)(const Spot&)) {
+  for (ProgramStatus& one : statuses_)
+    if (one.code().id() == spot.code.id()) (one.*what)(spot);
+}
+
 void Debugger::tellWatchers(const Spot& spot, void (InstructionWatcher::*what)(const Spot&)) {
   for (const auto& one : watchers_)
     if (const auto watcher = one.lock(); watcher && watcher->watched == spot.code.id())
@@ -238,11 +237,11 @@ void Debugger::tellWatchers(const Spot& spot, void (InstructionWatcher::*what)(c
 }
 
 void Debugger::hideStatus() {
-  keepStatus([](BlockId) { return false; });
+  keepStatus([](const auto&) { return false; });
 }
 
-void Debugger::keepStatus(const std::function<bool(BlockId)>& wanted) {
-  std::erase_if(statuses_, [&](const ProgramStatus& one) { return !wanted(one.code().id()); });
+void Debugger::keepStatus(const std::function<bool(const ProgramStatus&)>& wanted) {
+  std::erase_if(statuses_, [&](const ProgramStatus& one) { return !wanted(one); });
   place();
 }
 

@@ -78,18 +78,18 @@ class Debugger final : private Observer {
 
   // Program status of this block alone. False: no such block, or it has no code.
   bool showStatus(BlockId block, CallEnvironment environment = {});
-  // And of this one: everybody who looks on has a block of his own.
+  // And of this one: everybody who looks on has a block and an environment of his own.
   bool addStatus(BlockId block, CallEnvironment environment = {},
                  std::vector<CallValues> values = {});
   void hideStatus();
-  // Only those of these blocks stay, with what they have recorded.
-  void keepStatus(const std::function<bool(BlockId)>& wanted);
+  // Only these stay, with what they have recorded.
+  void keepStatus(const std::function<bool(const ProgramStatus&)>& wanted);
   // From now on, as long as it is there; again after a download, and when one has gone.
   void watch(const std::shared_ptr<InstructionWatcher>& watcher);
   void placeWatchers() { place(); }
   // Of the block that was shown first; null if none is.
   const ProgramStatus* status() const { return statuses_.empty() ? nullptr : &statuses_.front(); }
-  const ProgramStatus* status(BlockId block) const;
+  const ProgramStatus* status(BlockId block, CallEnvironment environment = {}) const;
 
  private:
   struct Step {
@@ -114,14 +114,14 @@ class Debugger final : private Observer {
   bool holdAt(Spot& spot, const At& here, Breakpoint* stop);
   bool stepEnds(const Spot& spot) const;
   Breakpoint* breakpointAt(BlockId block, std::uint32_t offset);
-  ProgramStatus* statusOf(BlockId block);
   void place();  // probes where they are needed
+  void tellStatuses(const Spot& spot, void (ProgramStatus::*what)(const Spot&));
   void tellWatchers(const Spot& spot, void (InstructionWatcher::*what)(const Spot&));
 
   Target& target_;
   std::vector<Breakpoint> breakpoints_;
   unsigned nextNumber_ = 1;
-  std::vector<ProgramStatus> statuses_;  // of different blocks
+  std::vector<ProgramStatus> statuses_;  // of different blocks or environments
   std::vector<std::weak_ptr<InstructionWatcher>> watchers_;
   std::optional<Step> step_;
   std::optional<At> heldAt_;     // the instruction that HALT stands before

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace merker::monitor {
+namespace {
+
+// A list to choose from; a program that makes its data blocks may have any number.
+constexpr std::size_t kMostInstances = 256;
+
+}  // namespace
 
 ProgramStatus::ProgramStatus(const BlockCode& code, CallEnvironment environment,
                              std::vector<CallValues> values)
@@ -25,9 +31,8 @@ const StatusRow* ProgramStatus::at(std::uint32_t offset) const {
   return found == rows_.end() || !found->second.reached ? nullptr : &found->second;
 }
 
-bool ProgramStatus::wanted(const Spot& spot) const {
+bool ProgramStatus::wanted(const Registers& registers, const Spot& spot) const {
   if (environment_.caller && spot.caller() != environment_.caller) return false;
-  const Registers registers = spot.registers();
   if (environment_.db && registers.db != *environment_.db) return false;
   return !environment_.di || registers.di == environment_.di;
 }
@@ -40,13 +45,19 @@ void ProgramStatus::arrived(const Spot& spot) {
   open_.pop_back();
 }
 
+void ProgramStatus::begin(const Spot& spot) {
+  const Registers registers = spot.registers();
+  recording_ = wanted(registers, spot);
+  ++(recording_ ? calls_ : otherCalls_);
+  const bool hasInstance = code().id().kind == BlockKind::FB && registers.di.value_or(0) != 0;
+  if (hasInstance && instances_.size() < kMostInstances) instances_.insert(*registers.di);
+  if (!recording_) return;
+  instance_ = hasInstance ? registers.di : std::nullopt;
+  for (auto& [offset, row] : rows_) row.reached = false, row.passes = 0;
+}
+
 void ProgramStatus::before(const Spot& spot) {
-  if (spot.offset == 0 && running_ != spot.depth.frames) {  // a call, no jump to the beginning
-    recording_ = wanted(spot);
-    ++(recording_ ? calls_ : otherCalls_);
-    for (auto& [begin, row] : rows_)
-      if (recording_) row.reached = false, row.passes = 0;
-  }
+  if (spot.offset == 0 && running_ != spot.depth.frames) begin(spot);  // no jump to the beginning
   if (recording_) readValues(spot, false);
   running_ = spot.depth.frames;
   if (recording_) open_.push_back({spot.depth.frames, spot.offset, spot.registers()});

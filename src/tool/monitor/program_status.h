@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "monitor/kept_code.h"
@@ -16,6 +17,14 @@ namespace merker::monitor {
 struct CallEnvironment {
   std::optional<BlockId> caller;
   std::optional<std::uint16_t> db, di;  // open when the block begins
+  bool operator==(const CallEnvironment&) const = default;
+};
+
+// What somebody looks at: a block, in all or some of its calls.
+struct StatusWish {
+  BlockId block;
+  CallEnvironment environment;
+  bool operator==(const StatusWish&) const = default;
 };
 
 struct StatusRow {
@@ -31,8 +40,13 @@ class ProgramStatus {
                          std::vector<CallValues> values = {});
 
   const BlockCode& code() const { return kept_.code(); }
+  StatusWish wish() const { return {code().id(), environment_}; }
   std::uint64_t calls() const { return calls_; }            // seen so far
   std::uint64_t otherCalls() const { return otherCalls_; }  // not in this environment
+  // Instance data blocks of the calls seen so far, in any environment; of a function block of S7.
+  const std::set<std::uint16_t>& instances() const { return instances_; }
+  // That of the call that the rows are of.
+  std::optional<std::uint16_t> instance() const { return instance_; }
   // In the order of the code.
   std::vector<StatusRow> rows() const;
   // The row of the statement at `offset`, if the last call reached it.
@@ -52,7 +66,8 @@ class ProgramStatus {
     std::uint32_t offset;
     Registers found;
   };
-  bool wanted(const Spot& spot) const;
+  bool wanted(const Registers& registers, const Spot& spot) const;
+  void begin(const Spot& spot);
   void record(const Registers& found, const Registers& left, std::uint32_t offset);
   void recordOne(const Registers& registers, std::uint32_t offset);
 
@@ -60,6 +75,8 @@ class ProgramStatus {
   CallEnvironment environment_;
   bool recording_ = false;
   std::uint64_t calls_ = 0, otherCalls_ = 0;
+  std::set<std::uint16_t> instances_;
+  std::optional<std::uint16_t> instance_;
   std::size_t running_ = 0;  // depth of the call that is under way, 0 = none
   void readValues(const Spot& spot, bool behind);
 

@@ -101,6 +101,30 @@ TEST(Status, WithCallEnvironment) {
   }
 }
 
+// S7-EDIT-21: of a function block that is called with several instance data blocks one is chosen.
+TEST(Status, TwoLookAtDifferentInstances) {
+  const std::string text =
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n a : INT;\nEND_VAR\nBEGIN\nNETWORK\n L #a;\n"
+      "END_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 11 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "DATA_BLOCK DB 12 FB 1\nBEGIN\nEND_DATA_BLOCK\n" +
+      ob1(" CALL FB 1, DB 11 (a := 5);\n CALL FB 1, DB 12 (a := 7);\n");
+  Plc plc(text);
+  const BlockId fb{BlockKind::FB, 1};
+  const CallEnvironment first{.caller = {}, .db = {}, .di = 11};
+  plc.debugger().addStatus(fb);
+  plc.debugger().addStatus(fb, first);
+  plc.start();
+  plc.station().advanceCycles(1);
+  const ProgramStatus& all = *plc.debugger().status(fb);
+  EXPECT_EQ(all.at(0)->after.accu[0], 7u);
+  EXPECT_EQ(all.instance(), 12);
+  const ProgramStatus& chosen = *plc.debugger().status(fb, first);
+  EXPECT_EQ(chosen.at(0)->after.accu[0], 5u);
+  EXPECT_EQ(chosen.instance(), 11);
+  EXPECT_EQ(chosen.instances(), (std::set<std::uint16_t>{11, 12}));
+}
+
 TEST(Status, WorksTogetherWithBreakpoints) {
   Plc plc(kProgram);
   plc.debugger().showStatus({BlockKind::FC, 1});

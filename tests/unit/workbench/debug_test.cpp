@@ -77,6 +77,32 @@ TEST_F(Debugging, EachBrowserLooksAtItsOwnBlock) {
   bench.workbench.opened(1);
 }
 
+// S7-EDIT-21
+TEST(StatusOfAnInstance, IsThatOfTheChosenDataBlock) {
+  Bench bench{
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n a : INT;\nEND_VAR\nBEGIN\nNETWORK\n L #a;\n"
+      "END_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 11 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "DATA_BLOCK DB 12 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n CALL FB 1, DB 11 (a := 5);\n"
+      " CALL FB 1, DB 12 (a := 7);\nEND_ORGANIZATION_BLOCK\n"};
+  const auto shown = [&](const Json& fields) {
+    bench.call("status.show", fields);
+    bench.run(Duration::milliseconds(40));
+    return bench.event("status");
+  };
+  Json event = shown({{"block", "FB 1"}});
+  EXPECT_EQ(event["instances"], Json::array({11, 12}));
+  EXPECT_EQ(event["instance"], 12);
+  EXPECT_EQ(event["rows"][0][4], "00000007");
+  event = shown({{"block", "FB 1"}, {"instance", 11}});
+  EXPECT_EQ(event["instances"], Json::array({11, 12}));
+  EXPECT_EQ(event["instance"], 11);
+  EXPECT_EQ(event["rows"][0][4], "00000005");
+  EXPECT_EQ(shown({{"block", "FB 1"}, {"instance", 13}})["rows"], nullptr);
+  EXPECT_EQ(bench.problem("status.show", {{"block", "FB 1"}, {"instance", 0}}), "P1305");
+}
+
 // S7-STATE-07
 TEST_F(Debugging, BreakpointsStopAndStepsGoOn) {
   const Json set = bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {3, 500}}});

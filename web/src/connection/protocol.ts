@@ -196,8 +196,8 @@ export interface Requests {
   'networks.copy': { fields: { file: string; text: string; line: number; network: number; elements?: NetworkElementPlace[]; language?: 'german' | 'english' }; result: { lines: string[] } };
   /** what can be put into a network */
   'networks.elements': { fields: { mnemonics?: 'german' | 'international' }; result: { elements: NetworkElement[] } };
-  /** `block`, or `file` and `line`; each browser has one */
-  'status.show': { fields: { block?: string; file?: string; line?: number }; result: { block: string } };
+  /** `block`, or `file` and `line`; each browser has one. `instance`: only the calls of a function block with this instance data block, else the last of all */
+  'status.show': { fields: { block?: string; file?: string; line?: number; instance?: number }; result: { block: string } };
   'status.hide': { fields: Record<string, never>; result: Record<string, never> };
   /** all of this file; the answer is where they were placed */
   'breakpoints.set': { fields: { file: string; lines: number[] }; result: { lines: number[] } };
@@ -308,8 +308,8 @@ export interface Events {
   modified: { list: number };
   /** time in ms, then the values of the curves */
   samples: { list: number; rows: (number | null)[][] };
-  /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have), and of a CALL what its operands held, by parameter, of S, R, FP and FN a local bit, by its name; null while the block does not run */
-  status: { block: string; file: string; calls: number; rows: [number, string, string, string, string, string, string, string, string, string, string, Record<string, string>][] | null };
+  /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have), and of a CALL what its operands held, by parameter, of S, R, FP and FN a local bit, by its name; null while the block does not run. Of a function block of S7: `instances`, the instance data blocks of its calls seen so far, at most 256, and `instance`, that of the call that is shown */
+  status: { block: string; file: string; calls: number; instances: number[]; instance?: number; rows: [number, string, string, string, string, string, string, string, string, string, string, Record<string, string>][] | null };
   /** values by plant and signal; `axis`: those of the positioning axis, by the names that scenarios have for them */
   process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>>; axis: Record<string, number> | null };
   /** characters on the line of X27, numbered from `first` on: from (0 X27, 1 its partner), value, name, meaning, first and last instant. At most 1,000; what nobody fetched in time is lost, and `first` leaves a gap */

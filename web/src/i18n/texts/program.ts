@@ -68,6 +68,13 @@ export const program = {
   status: ['Status', 'Status'],
   besideOperand: ['Wert am Operanden', 'Value beside the operand'],
   columns: ['Spalten', 'Columns'],
+  callEnvironment: ['Aufrufumgebung: Instanz-DB', 'Call environment: instance DB'],
+  callEnvironmentHelp: [
+    'Der Baustein wird mit mehreren Instanz-DBs aufgerufen: der Status ist der des letzten Aufrufs oder der mit diesem DB.',
+    'The block is called with several instance DBs: the status is that of the last call, or of the one with this DB.',
+  ],
+  lastCall: ['letzter Aufruf', 'last call'],
+  lastCallOf: ['letzter Aufruf: {block}', 'last call: {block}'],
   statusOld: [
     'Die CPU hat einen anderen Stand dieses Textes. Nach dem Laden ist der Status wieder da.',
     'The CPU has another version of this text. Load it to see the status again.',
