@@ -24,6 +24,15 @@ END_FUNCTION_BLOCK
 DATA_BLOCK DB 20 FB 2
 BEGIN
 END_DATA_BLOCK
+DATA_BLOCK DB 21
+  STRUCT
+    Ratio : REAL := 3.14 ;
+    Mask : DWORD := DW#16#12345678 ;
+    Last : DATE_AND_TIME := DT#2024-02-29-12:30:45.123 ;
+    Label : STRING [80] := 'a text that no column of this table can show, on whatever screen it is' ;
+  END_STRUCT ;
+BEGIN
+END_DATA_BLOCK
 ORGANIZATION_BLOCK OB 1
 BEGIN
 NETWORK
@@ -73,6 +82,33 @@ test('address, name, actual value, modify value and comment are in sight on ever
     await accessible(page, `data view at ${width}`);
   }
   await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+/** The paths of the rows whose cell of this column ends with dots. */
+const cut = (column) => page.locator(`.data td.${column}`).evaluateAll((cells) =>
+  cells.filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.parentElement.dataset.path));
+
+test('values are whole where there is room; what is cut is read below, by finger and by keyboard', async () => {
+  await page.getByRole('treeitem', { name: /^DB 21\b/ }).click();
+  await expect(() => actual('Ratio'), '3.140000e+000');
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+    await page.setViewportSize({ width, height });
+    await until(async () => (await cut('actual')).join() === 'Label', async () => `actual values at ${width}, cut: ${await cut('actual')}`);
+    const found = await columns();
+    assert.ok(found.Anfangswert?.inside, `initial values at ${width}: ${JSON.stringify(found)}`);
+    const initial = (await cut('initial')).join();
+    assert.equal(initial, width === 1024 ? 'Last,Label' : 'Label', `initial values at ${width}`);
+    await row('Last').locator('td').first().click();
+    await expect(() => page.locator('.whole').count().then((count) => count > 0), width === 1024);
+    if (width === 1024) assert.match(await page.locator('.whole').innerText(), /Last[^]*Anfangswert\s+DT#2024-02-29-12:30:45\.123/);
+    await row('Last').getByRole('textbox').focus();
+    await page.keyboard.press('ArrowDown');
+    await until(async () => /Label[^]*Aktualwert\s+'a text [^]* screen it is'/.test(await page.locator('.whole').innerText()), 'the text below');
+    await accessible(page, `data view with a long text at ${width}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.getByRole('treeitem', { name: /^DB 20\b/ }).click();
+  await row('Count').waitFor();
 });
 
 test('a number that is too large is told with its range; what succeeds later takes the message away', async () => {
