@@ -125,6 +125,31 @@ test('a number that is too large is told with its range; what succeeds later tak
   await expect(() => actual('Count'), '7');
 });
 
+test('a refused modify value is marked in its row with the reason until it is changed', async () => {
+  await page.getByRole('treeitem', { name: /^DB 21\b/ }).click();
+  const field = (path) => row(path).getByRole('textbox');
+  const invalid = (path) => field(path).getAttribute('aria-invalid');
+  await field('Ratio').fill('2.5');
+  await field('Mask').fill('DW#16#1FFFFFFFF');
+  await page.getByRole('button', { name: 'Steuern', exact: true }).press('Enter');
+  await expect(() => invalid('Mask'), 'true');
+  assert.equal(await invalid('Ratio'), null, 'the other value is good');
+  const told = await page.locator(`[id='${await field('Mask').getAttribute('aria-describedby')}']`).textContent();
+  assert.match(told, /DW#16#1FFFFFFFF/);
+  assert.match(await page.locator('.whole').innerText(), /Mask[^]*▲[^]*DW#16#1FFFFFFFF/);
+  await accessible(page, 'a refused modify value');
+  await field('Mask').fill('DW#16#1');
+  await expect(() => invalid('Mask'), null);
+  await field('Mask').press('Enter');
+  await expect(() => actual('Mask'), 'DW#16#00000001');
+  await page.getByRole('treeitem', { name: /^DB 20\b/ }).click();
+  await field('Count').fill('99999');
+  await field('Count').press('Enter');
+  await expect(() => invalid('Count'), 'true');
+  assert.match(await row('Count').locator('.comment').innerText(), /-32768 bis 32767/);
+  await quiet(page);
+});
+
 test('F1 names the keys as the keyboard of the page does, each apart from its text', async () => {
   await page.keyboard.press('F1');
   const rows = page.locator('dialog .keys li');

@@ -6,7 +6,8 @@ import type { Beyond } from './number_range';
 
 const t = translator(variables);
 
+export const beyondText = (one: Beyond): string => t('beyond', { ...one });
+
 export function refuse(values: readonly Beyond[]): void {
-  const problems = values.map((one) => ({ text: t('beyond', { ...one }) }));
-  for (const problem of problems.slice(0, 3)) messages.problem(problem, 'variables.write');
+  for (const one of values.slice(0, 3)) messages.problem({ text: beyondText(one) }, 'variables.write');
 }
