@@ -130,6 +130,17 @@ test('actual values become those that the block begins with', async () => {
   await until(() => readFileSync(join(project, 'main.awl'), 'utf-8').includes('Recipe.Step[2] := -5;'), 'the file');
 });
 
+test('a value that no constant says keeps its initial value, and is named', async () => {
+  await block('DB 1').click();
+  await expect(() => actual('When'), 'DT#2026-11-28-12:30:45.123');
+  await write(page, { 'DB1.DBW 2': '8', 'DB1.DBW 4': 'W#16#FFFF' });
+  await until(async () => (await actual('When')).startsWith('16#FFFF'), 'bytes that are no date');
+  await page.getByRole('button', { name: 'Aktualwerte übernehmen' }).press('Enter');
+  await message(page, /DB 1: When behält seinen Anfangswert/);
+  await until(async () => /Count := 8;/.test(await text(page)), 'BEGIN');
+  assert.doesNotMatch(await text(page), /When := /);
+});
+
 test('an instance shows what its parameters are; the source comes back', async () => {
   await block('DB 1').click();
   await expect(() => actual('Count'), '3');

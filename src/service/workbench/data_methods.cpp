@@ -59,6 +59,7 @@ Json answerOf(const monitor::BlockCode& code, monitor::DataValues data,
   return {{"block", toString(code.id())},
           {"file", folder.relative(code.file())},
           {"assignments", ""},
+          {"without", Json::array()},
           {"rows", std::move(rows)},
           {"more", data.more},
           {"structures", Json::array()}};
@@ -72,10 +73,10 @@ Json structuresOf(const block::Block& block, const source::SymbolTable& symbols)
 }
 
 // What BEGIN has to say so that the block begins with these values.
-std::string assignmentsOf(const block::Block& block, std::span<const std::uint8_t> actual) {
+awl::Assignments assignmentsOf(const block::Block& block, std::span<const std::uint8_t> actual) {
   block::Block declared = block;
   declared.actualData = block.initialData;
-  return awl::assignments(declared, actual);
+  return awl::assignments(declared, actual, block.actualData);
 }
 
 Answer shown(const monitor::BlockCode& code, const NowBytes& now,
@@ -87,7 +88,9 @@ Answer shown(const monitor::BlockCode& code, const NowBytes& now,
   const bool same = now && now->size() == block.actualData.size();
   const std::span<const std::uint8_t> actual = same ? *now : block.actualData;
   Json answer = answerOf(code, monitor::dataValues(block, actual), folder);
-  answer["assignments"] = assignmentsOf(block, actual);
+  awl::Assignments begin = assignmentsOf(block, actual);
+  answer["assignments"] = std::move(begin.text);
+  answer["without"] = std::move(begin.without);
   answer["structures"] = structuresOf(block, symbols);
   if (block.instanceOf >= 0)
     answer["instanceOf"] =

@@ -164,7 +164,7 @@ std::string Retranslation::data(const StoredBlock& stored) {
   if (declared == nullptr) return {};
   return fmt::format("{}BEGIN\n{}{}\n",
                      awl::headText(stored.block, declarations_.texts(stored.block.id)),
-                     awl::assignments(*declared, stored.block.actualData), "END_DATA_BLOCK");
+                     awl::assignments(*declared, stored.block.actualData).text, "END_DATA_BLOCK");
 }
 
 BlockFile Retranslation::write(const StoredBlock& stored) {

@@ -292,6 +292,7 @@ TEST(Program, ShowsTheDataViewOfABlock) {
   const Json online = bench.call("program.data", {{"block", "DB 2"}, {"side", "online"}});
   EXPECT_EQ(online["rows"][1]["actual"], "-4");
   EXPECT_EQ(online["assignments"], "  list[1] := -4;\n  list[2] := 9;\n");
+  EXPECT_EQ(online["without"], Json::array());
   EXPECT_EQ(bench.problem("program.data", {{"block", "FB 1"}}), "P1308");
   EXPECT_EQ(bench.problem("program.data", {{"block", "DB 9"}}), "P1206");
 }

@@ -184,8 +184,8 @@ export interface Requests {
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
   'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
-  /** the variables of a data block: the first 20,000, and how many more. Actual values of the project, or with `online` those that the CPU has now. `assignments`: what BEGIN says of them; P1308 for a block without data */
-  'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; rows: DataRow[]; more: number; structures: DataStructure[] } };
+  /** the variables of a data block: the first 20,000, and how many more. Actual values of the project, or with `online` those that the CPU has now. `assignments`: what BEGIN says of them; `without`: the variables whose value no constant says, they are not in it; P1308 for a block without data */
+  'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; without: string[]; rows: DataRow[]; more: number; structures: DataStructure[] } };
   /** the assignment list; symbols that nothing uses, operands that have none */
   'program.assignments': { fields: Record<string, never>; result: { bytes: AssignedByte[]; timers: number[]; counters: number[]; unused: SymbolRow[]; withoutSymbol: string[] } };
   /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. Elements have the names of `mnemonics`, those of the text; reasons and sentences are in `language`. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */

@@ -20,6 +20,11 @@ export const data = {
     '{block}: {count} {count|Aktualwert steht|Aktualwerte stehen} in der Quelle. Speichern und laden, damit der Baustein mit ihnen beginnt.',
     '{block}: {count} actual {count|value is|values are} in the source. Save and load, so that the block begins with them.',
   ],
+  without: [
+    '{block}: {names} {count|behält seinen|behalten ihren} Anfangswert, denn für {count|den Aktualwert|die Aktualwerte} gibt es keine Konstante.',
+    '{block}: {names} {count|keeps its|keep their} initial {count|value|values}, because no constant says the actual {count|one|ones}.',
+  ],
+  andMore: ['{names} und {count} weitere', '{names} and {count} more'],
   noBegin: ['{block} hat kein BEGIN in seiner Quelle.', '{block} has no BEGIN in its source.'],
   fold: ['Alles zuklappen', 'Fold all'],
   unfold: ['Alles aufklappen', 'Unfold all'],
