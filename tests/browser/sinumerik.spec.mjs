@@ -80,6 +80,27 @@ test('the listing is there to read', async () => {
   await until(async () => (await content(page).innerText()).length > 100, 'a listing');
 });
 
+test('a data block begins with the values of the listing; only what differs is coloured', async () => {
+  await visit(page, server, 'program');
+  await page.getByRole('treeitem', { name: /^DB 10\b/ }).click();
+  await page.getByRole('button', { name: 'Datensicht' }).press('Enter');
+  const row = page.locator("tr[data-path='DW 0']");
+  await expect(() => row.locator('.initial').innerText(), '1');
+  await expect(() => row.locator('.actual').innerText(), '1');
+  assert.equal(await row.locator('.changed').count(), 0);
+  await page.locator("tr[data-path='DW 1']").getByRole('textbox').fill('5');
+  await page.keyboard.press('Enter');
+  await page.locator("tr[data-path='DW 1'] .changed", { hasText: '5' }).waitFor();
+  await page.getByRole('button', { name: 'Datensicht' }).press('Enter');
+});
+
+test('the program structure has the function blocks of the basic program', async () => {
+  await page.getByRole('button', { name: 'Referenzdaten' }).first().click();
+  await page.getByRole('tab', { name: 'Programmstruktur' }).click();
+  const structure = page.getByRole('table', { name: 'Programmstruktur' });
+  await until(async () => /PB 30\b[^]*FB 61\b[^]*der CPU/.test(await structure.innerText()), 'FB 61 below PB 30');
+});
+
 test('the PLC runs, stops, and its variables are seen', async () => {
   await visit(page, server, 'io');
   await page.locator('#tile-operand').fill('MB 20');

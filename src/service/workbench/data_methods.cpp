@@ -5,6 +5,7 @@
 #include "monitor/assignment_list.h"
 #include "monitor/data_rows.h"
 #include "monitor/data_structures.h"
+#include "monitor/display_format.h"
 #include "workbench/elsewhere.h"
 #include "workbench/program_rows.h"
 #include "workbench/symbol_rows.h"
@@ -52,6 +53,22 @@ Json rowOf(BlockId id, monitor::DataValue value) {
       {"comment", std::move(value.comment)}};
 }
 
+// The word of the listing as its actual value is shown. Texts and numbers of several words are not
+// shown as one.
+std::string initialOf(const monitor::DataValue& value, const mc5::Block& block) {
+  if (value.code.size() != 4) return {};  // digits of one word
+  const auto format = monitor::parseFormat(formatOf(value));
+  const address::Reference word{.text = value.place,
+                                .operand = address::memory(Area::DataBlock, Width::Word, 0)};
+  return format ? monitor::show(word, block.words[value.byte], *format) : std::string();
+}
+
+monitor::DataValues listedValues(const mc5::Block& block) {
+  monitor::DataValues data = monitor::dataValues(block);
+  for (monitor::DataValue& value : data.values) value.initial = initialOf(value, block);
+  return data;
+}
+
 Json answerOf(const monitor::BlockCode& code, monitor::DataValues data,
               const ProjectFolder& folder) {
   Json rows = Json::array();
@@ -83,7 +100,7 @@ Answer shown(const monitor::BlockCode& code, const NowBytes& now,
              const source::SymbolTable& symbols, const ProjectFolder& folder) {
   if (code.id().kind != BlockKind::DB)
     return refused(ProblemCode::P1308, toString(code.id()), "it is no data block");
-  if (code.s7() == nullptr) return answerOf(code, monitor::dataValues(*code.s5()), folder);
+  if (code.s7() == nullptr) return answerOf(code, listedValues(*code.s5()), folder);
   const block::Block& block = *code.s7();
   const bool same = now && now->size() == block.actualData.size();
   const std::span<const std::uint8_t> actual = same ? *now : block.actualData;

@@ -35,16 +35,13 @@ Json callsOf(const block::Block& block) {
   return list;
 }
 
-// Without the macros of the basic program: nobody can open them.
-Json callsOf(const mc5::Program& program, const mc5::Block& block) {
+// With the function blocks of the basic program.
+Json callsOf(const mc5::Block& block) {
   std::set<BlockId> called;
   for (const monitor::Step5Instruction& one : monitor::step5Instructions(block)) {
     const mc5::Operand& operand = one.instruction.operand;
     if (operand.kind != mc5::OperandKind::Block || operand.block == mc5::BlockType::Db) continue;
-    const mc5::BlockId id{operand.block, static_cast<std::uint16_t>(operand.value)};
-    const bool macro =
-        !program.contains(id) && monitor::calledFunctionBlock(program, one.instruction) != nullptr;
-    if (!macro) called.insert(mc5::neutralId(id));
+    called.insert(mc5::neutralId({operand.block, static_cast<std::uint16_t>(operand.value)}));
   }
   Json list = Json::array();
   for (const BlockId id : called) list.push_back(toString(id));
@@ -158,7 +155,7 @@ Json blockRows(const mc5::Program& program, const project::Project& project,
                     {"work", 2 * row.work},
                     {"file", folder.relative(block.file)},
                     {"line", head == heads.end() ? 0 : head->second},
-                    {"calls", callsOf(program, block)},
+                    {"calls", callsOf(block)},
                     {"version", ""},
                     {"checksum", ""}});
   }
