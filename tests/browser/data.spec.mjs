@@ -143,7 +143,7 @@ test('a value that no constant says keeps its initial value, and is named', asyn
 
 test('an instance shows what its parameters are; the source comes back', async () => {
   await block('DB 1').click();
-  await expect(() => actual('Count'), '3');
+  await expect(() => actual('Count'), '8');
   assert.match(await row('Count').innerText(), /STAT[^]*pieces/);
   assert.match(await row('Start').innerText(), /IN\s[^]*FALSE\s+FALSE/);
   await page.locator('.data').getByText('Instanz von FB 1').waitFor();

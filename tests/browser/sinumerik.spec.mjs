@@ -95,8 +95,7 @@ test('a data block begins with the values of the listing; only what differs is c
 });
 
 test('the program structure has the function blocks of the basic program', async () => {
-  await page.getByRole('button', { name: 'Referenzdaten' }).first().click();
-  await page.getByRole('tab', { name: 'Programmstruktur' }).click();
+  for (const name of ['Referenzdaten', 'Programmstruktur']) await page.getByRole('tab', { name }).click();
   const structure = page.getByRole('table', { name: 'Programmstruktur' });
   await until(async () => /PB 30\b[^]*FB 61\b[^]*der CPU/.test(await structure.innerText()), 'FB 61 below PB 30');
 });
