@@ -66,7 +66,8 @@ class Messages {
     this.dialogs.push(dialog);
     return () => {
       this.dialogs = this.dialogs.filter((one) => one !== dialog);
-      this.list = this.list.filter((one) => one.dialog !== dialog);
+      // Not at once: while an effect ends, Svelte reads what the list was before.
+      queueMicrotask(() => (this.list = this.list.filter((one) => one.dialog !== dialog)));
     };
   }
 
