@@ -61,14 +61,19 @@ class Messages {
     this.known = this.nextId;
   }
 
-  /** A dialog opens; the result closes it. What it was refused is no news then. */
+  /** A dialog opens; the result closes it. What somebody has seen in it before the last key goes; what came since is told outside. */
   enter(dialog: string): () => void {
     this.dialogs.push(dialog);
     return () => {
       this.dialogs = this.dialogs.filter((one) => one !== dialog);
       // Not at once: while an effect ends, Svelte reads what the list was before.
-      queueMicrotask(() => (this.list = this.list.filter((one) => one.dialog !== dialog)));
+      queueMicrotask(() => this.left(dialog));
     };
+  }
+
+  private left(dialog: string): void {
+    const outside = (one: Message) => (one.dialog === dialog ? { ...one, dialog: undefined } : one);
+    this.list = this.list.filter((one) => one.dialog !== dialog || one.id >= this.known).map(outside);
   }
 
   dismiss(id: number): void {
