@@ -206,6 +206,17 @@ test('what somebody else has saved is not overwritten without a question', async
   await fresh();
 });
 
+test('an unnamed table is saved under a name, then the other one opens', async () => {
+  await type('MW 30');
+  await page.getByLabel('Tabelle', { exact: true }).selectOption('drives.vat');
+  await asked.getByRole('button', { name: 'Speichern', exact: true }).click();
+  await page.locator('#table-name').fill('mine');
+  await page.keyboard.press('Enter');
+  await row('MW 500').waitFor();
+  assert.match(readFileSync(join(server.project, 'mine.vat'), 'utf-8'), /MW 30/);
+  await fresh();
+});
+
 test('a value that cannot be read has its reason', async () => {
   await type('DB99.DBW 0');
   await row('DB99.DBW 0').getByText('DB 99 ist nicht geladen oder zu kurz.').waitFor();
