@@ -10,7 +10,7 @@ std::string withSerial(const std::string& lines) {
   return std::string(kPlain) + "[module.serial]\n" + lines;
 }
 
-Json change(const char* key, Json value) {
+Json serialChange(const char* key, Json value) {
   return {{"change", "set"}, {"rack", 0}, {"slot", "2.1"}, {"key", key}, {"value", value}};
 }
 
@@ -88,12 +88,12 @@ TEST(SerialRows, OnlyWhatCanBeSelectedIsOffered) {
 
 TEST(SerialRows, AChangeIsALineOfTheTable) {
   Bench bench;
-  const Json plan =
-      bench.call("hardware.edit",
-                 {{"text", kPlain},
-                  {"changes",
-                   {change("serial.end", "characters"), change("serial.end_characters", {13, 10}),
-                    change("serial.flow_control", "XON/XOFF"), change("serial.xon", 2)}}});
+  const Json plan = bench.call(
+      "hardware.edit",
+      {{"text", kPlain},
+       {"changes",
+        {serialChange("serial.end", "characters"), serialChange("serial.end_characters", {13, 10}),
+         serialChange("serial.flow_control", "XON/XOFF"), serialChange("serial.xon", 2)}}});
   EXPECT_EQ(plan["text"], std::string(kPlain) +
                               "\n[module.serial]\nend = \"characters\"\nend_characters = [13,10]\n"
                               "flow_control = \"XON/XOFF\"\nxon = 2\n");
@@ -105,8 +105,8 @@ TEST(SerialRows, AChangeIsALineOfTheTable) {
 TEST(SerialRows, ALowerRateRaisesTimes) {
   Bench bench;
   const auto slower = [&](const char* lines) {
-    return rowsOf(bench.call(
-        "hardware.edit", {{"text", withSerial(lines)}, {"changes", {change("serial.baud", 300)}}}));
+    return rowsOf(bench.call("hardware.edit", {{"text", withSerial(lines)},
+                                               {"changes", {serialChange("serial.baud", 300)}}}));
   };
   EXPECT_EQ(slower("character_delay = \"5ms\"\n")["serial.character_delay"]["value"], "130ms");
   auto link =
@@ -119,8 +119,9 @@ TEST(SerialRows, ALowerRateRaisesTimes) {
 TEST(SerialRows, WhatTheManualRefusesIsRefused) {
   Bench bench;
   const auto reason = [&](const char* lines, const char* key, Json value) {
-    const Json answer = bench.ask("hardware.edit", {{"text", withSerial(lines)},
-                                                    {"changes", {change(key, std::move(value))}}});
+    const Json answer = bench.ask(
+        "hardware.edit",
+        {{"text", withSerial(lines)}, {"changes", {serialChange(key, std::move(value))}}});
     return answer.contains("problems") ? answer["problems"][0]["text"].get<std::string>()
                                        : answer.dump();
   };

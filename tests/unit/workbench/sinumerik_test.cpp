@@ -126,8 +126,8 @@ TEST_F(Sinumerik5, ListsBlocksAndReferences) {
   EXPECT_NE(text.find("+F"), std::string::npos) << text;
 }
 
-// FB 61 is resident.
-TEST_F(Sinumerik5, DoesNotListMacrosAsCalledBlocks) {
+// FB 61 is a block of the basic program.
+TEST_F(Sinumerik5, ListsFunctionBlocksOfTheBasicProgramAsCalled) {
   folder.write(
       "main.s5",
       "OB 1\n      SPA   FB 61\nNAME  : NCD-LESE\nLESE  : M 134.0\nNSBY  : DL 0\nANZ   : KF +0\n"
@@ -135,7 +135,7 @@ TEST_F(Sinumerik5, DoesNotListMacrosAsCalledBlocks) {
       "ZFPN  : KC 00\nZIEL  : KY 0,0\n      SPA   PB 9\n      BE\n");
   workbench.show(
       std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
-  EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"PB 9"}));
+  EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"FB 61", "PB 9"}));
 }
 
 // STOP and RUN are keys of the programmer; there is no switch that could stand at MRES.
