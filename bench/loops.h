@@ -5,9 +5,11 @@
 
 namespace merker::bench {
 
-// What is compared with each other is measured several times; the middle counts. A virtual machine
-// is not alone on its host.
-inline void severalTimes(benchmark::internal::Benchmark* one) { one->Repetitions(7)->MinTime(0.1); }
+// What is compared with each other is measured several times, in turns; the middle counts. A
+// virtual machine is not alone on its host.
+inline void severalTimes(benchmark::internal::Benchmark* one) {
+  one->Repetitions(15)->MinTime(0.05);
+}
 
 constexpr const char* kMixed =
     "      L     MW 12\n      L     MW 14\n      +I\n      L     2\n      *I\n      T     MW 14\n"

@@ -7,7 +7,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "requirements.h"
@@ -18,7 +18,8 @@ class Reporter : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override;
-  void Finalize() override;
+  // The tables, after the last run.
+  void print();
   bool allMet() const { return allMet_; }
 
  private:
@@ -26,14 +27,13 @@ class Reporter : public benchmark::BenchmarkReporter {
   void single(const Single& row, double measured);
   void pair(const Pair& row, double interpreted, double compiled);
   void further(const std::string& name, const Run& run);
-  void later(const char* name, double measured);
+  double reached(std::string_view benchmark) const;  // 0: not measured
   void header(const std::string& text);
   // Of this machine, of that for which absolute values are required; at most 1.
   double speed() const;
   std::string verdict(bool met, bool metForItsSpeed);
 
   std::map<std::string, double> reached_;  // by benchmark
-  std::vector<std::pair<const Single*, double>> later_;
   std::string header_;
   bool allMet_ = true;
 };

@@ -58,6 +58,9 @@ constexpr std::array kPairs{
 
 }  // namespace
 
+std::span<const Single> singles() { return kSingles; }
+std::span<const Pair> pairs() { return kPairs; }
+
 const Single* findSingle(std::string_view benchmark) {
   const auto found =
       std::ranges::find_if(kSingles, [&](const Single& s) { return s.benchmark == benchmark; });

@@ -1,6 +1,7 @@
 // What the measurements must reach on a present-day PC.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace merker::bench {
@@ -37,6 +38,8 @@ struct Pair {
   std::string_view reference = kLimit;
 };
 
+std::span<const Single> singles();
+std::span<const Pair> pairs();
 const Single* findSingle(std::string_view benchmark);
 // Also by the name of the compiled one.
 const Pair* findPair(std::string_view benchmark);
