@@ -25,7 +25,7 @@ Bytes blockOf(const Bytes& data, const ProcedureParameters& parameters, std::siz
 
 void Procedure::send(const Bytes& data, Instant now) {
   outbox_.begin();
-  job_.emplace();
+  job_ = Job();
   job_->block = blockOf(data, parameters_, job_->closing);
   job_->ready = now + parameters_.preparation.of(data.size());
 }

@@ -2,6 +2,10 @@
 
 namespace merker::graph {
 
+bool Pin::operator==(const Pin& other) const {
+  return open == other.open && logic == other.logic && operand == other.operand;
+}
+
 // Where it stands among the statements and how its operands are named is not looked at.
 bool Node::operator==(const Node& other) const {
   return kind == other.kind && join == other.join && bracketed == other.bracketed &&

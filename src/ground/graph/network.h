@@ -32,9 +32,7 @@ struct Pin {
   std::vector<Node> logic;  // at most one
   Operand operand;
   std::size_t statement = 0;  // that loads or transfers the operand
-  bool operator==(const Pin& other) const {
-    return open == other.open && logic == other.logic && operand == other.operand;
-  }
+  bool operator==(const Pin& other) const;
 };
 
 struct Node {
