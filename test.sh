@@ -16,6 +16,7 @@ elif [ $# -gt 0 ]; then
   exit 2
 fi
 
+export GTEST_BRIEF=1  # a test program of hundreds of tests says which one failed, and no more
 jobs=$(nproc)
 passed=0
 failed=0
