@@ -1,6 +1,7 @@
 #include "monitor/control_stacks.h"
 
-#include <ranges>
+#include <algorithm>
+#include <span>
 
 #include "mc5/block_id.h"
 #include "monitor/control_target.h"
@@ -59,7 +60,8 @@ Stacks afterStop(const sinumerik::StopPicture& picture, const ControlTarget& tar
   result.blocks.push_back({.place = *place, .db = top.dataBlock.value_or(0), .di = 0});
   // A block stack that overflows has the block that found no room as its first entry, too.
   const std::size_t twice = top.causes.test(sinumerik::Cause::STUEB) ? 1 : 0;
-  for (const sinumerik::BlockStackEntry& entry : picture.blocks | std::views::drop(twice))
+  const std::span blocks(picture.blocks);
+  for (const sinumerik::BlockStackEntry& entry : blocks.subspan(std::min(twice, blocks.size())))
     result.blocks.push_back({.place = returnPlace(target.program(), entry.block, entry.relative),
                              .db = entry.dataBlock.value_or(0),
                              .di = 0});
