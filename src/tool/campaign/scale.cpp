@@ -40,8 +40,7 @@ Scale scaleOf(const ResultTable& table, std::size_t parameter) {
     scale.numbers &= scale.places.back().number.has_value();
   }
   std::ranges::sort(scale.places, before);
-  const auto same = std::ranges::unique(scale.places);
-  scale.places.erase(same.begin(), same.end());
+  scale.places.erase(std::unique(scale.places.begin(), scale.places.end()), scale.places.end());
   if (scale.numbers && scale.places.size() > kMostPlaces) divide(scale);
   return scale;
 }
