@@ -60,7 +60,7 @@ std::unique_ptr<const ChosenScenario> chooseScenario(const std::string& command,
     code = kUnreadable;
     return nullptr;
   }
-  auto chosen = std::make_unique<ChosenScenario>(std::move(file.value()));
+  auto chosen = std::make_unique<ChosenScenario>(ChosenScenario{std::move(file.value()), {}});
   const auto list = boundScenarios(chosen->file, built, problems);
   printProblems(problems, [&](const std::string&) { return &chosen->file; });
   code = kProblems;
