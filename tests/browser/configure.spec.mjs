@@ -126,6 +126,31 @@ test('an axis: AO 0 off, the drive, and the pages of this drive', async () => {
   await until(async () => (await mask('Antrieb').count()) === 0, 'no axis any more');
 });
 
+// CNT-PARAM-01 to -19: a mask for each channel.
+test('a counting channel has the mask of its mode', async () => {
+  await slot('2.4').getByRole('button').click();
+  await page.getByRole('tab', { name: 'Kanal 3', exact: true }).waitFor();
+  await page.getByRole('tab', { name: 'Kanal 1', exact: true }).click();
+  const field = (name) => page.getByLabel(name, { exact: true });
+  await field('Betriebsart').selectOption({ label: 'Periodisch zählen' });
+  await field('Hauptzählrichtung').selectOption({ label: 'vorwärts' });
+  await field('Endwert').fill('100');
+  await field('Endwert').press('Enter');
+  await field('Vergleichswert').fill('100');
+  await field('Vergleichswert').press('Enter');
+  await says('-2147483648 bis 99');
+  await until(async () => (await field('Vergleichswert').inputValue()) === '0', 'the value that is refused goes back');
+  await page.getByRole('group', { name: 'Prozessalarm' }).getByLabel('Überlauf').check();
+  await accessible(page, 'masks of a counting channel');
+  await page.getByRole('tab', { name: 'Kanal 1', exact: true }).scrollIntoViewIfNeeded();
+  await picture(page, 'hardware-counting');
+  await field('Betriebsart').selectOption({ label: 'Pulsweitenmodulation' });
+  await field('Periodendauer').waitFor();
+  assert.equal(await field('Endwert').count(), 0);
+  await field('Betriebsart').selectOption({ label: 'nicht parametriert' });
+  await until(async () => (await field('Periodendauer').count()) === 0, 'nothing more to set');
+});
+
 test('a change is taken back', async () => {
   await slot(5).getByRole('button').focus();
   await page.keyboard.press('Delete');

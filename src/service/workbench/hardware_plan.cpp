@@ -4,6 +4,7 @@
 #include <map>
 
 #include "io/configuration.h"
+#include "workbench/counting_rows.h"
 #include "workbench/fresh_errors.h"
 #include "workbench/hardware_rows.h"
 #include "workbench/parameter_rows.h"
@@ -78,7 +79,9 @@ void set(SettingsEdit& edit, const Fields& change) {
   }
   const std::string side = keyIn(change, "side");
   const auto number = static_cast<std::uint32_t>(change.integer("number", 0, 31));
-  if (change.good()) edit.setChannel(at, side, number, key, value);
+  if (!change.good()) return;
+  if (side == "number") dropCounting(edit, at, number, key, value.value_or(""));
+  edit.setChannel(at, side, number, key, value);
 }
 
 void remove(SettingsEdit& edit, const Fields& change) {
@@ -136,7 +139,7 @@ Json problemRows(const SettingsEdit& edit, const Problems& problems) {
 }
 
 // Adds to each module what can be set on it.
-void addParameters(Json& racks, const io::Configuration& configuration) {
+void addParameters(Json& racks, const io::Configuration& configuration, const CpuModel& model) {
   std::map<std::pair<std::uint32_t, std::string>, const io::Module*> modules;
   for (const io::Module& module : configuration.modules)
     modules[{module.rack, module.slotText()}] = &module;
@@ -145,7 +148,7 @@ void addParameters(Json& racks, const io::Configuration& configuration) {
       const auto found = modules.find({rack["rack"], slot["slot"]});
       if (slot["kind"] == "cpu" || found == modules.end()) continue;
       slot["parameters"] = parameterRows(*found->second);
-      slot["channels"] = channelRows(*found->second);
+      slot["channels"] = channelRows(*found->second, model);
     }
 }
 
@@ -189,7 +192,7 @@ Json planRows(const Plan& plan, const SettingsEdit& edit, const source::SymbolTa
   const io::Configuration configuration =
       project.hardware ? *project.hardware : io::configure({}, *project.model, none);
   Json racks = hardwareRows(configuration, nullptr, symbols), currents = Json::array();
-  addParameters(racks, configuration);
+  addParameters(racks, configuration, *project.model);
   for (std::uint32_t rack = 0; rack < project.model->racks; ++rack) {
     const io::Current current = io::current(configuration, rack);
     currents.push_back({{"rack", rack}, {"taken", current.taken}, {"possible", current.possible}});

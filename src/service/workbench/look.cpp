@@ -73,28 +73,33 @@ bool isSaid(std::string_view key) {
 void addParameters(const Json& parameters, const std::string& owner, Json& properties) {
   for (const Json& parameter : parameters) {
     const auto key = parameter["key"].get<std::string>();
-    if (!parameter["value"].is_null() && !isSaid(key))
+    const bool said = owner.empty() && isSaid(key);
+    if (!parameter["value"].is_null() && !said)
       properties.push_back(Json::array({owner + key, valueText(parameter["value"])}));
   }
 }
 
-// What is set on a module and on its channels: "input 0 range".
-void addModuleParameters(const io::Module& module, Json& properties) {
-  addParameters(parameterRows(module), "", properties);
-  for (const Json& channel : channelRows(module))
-    addParameters(channel["parameters"],
-                  fmt::format("{} {} ", channel["side"].get<std::string>(),
-                              channel["number"].get<unsigned>()),
-                  properties);
+// "input 0 ", of a counting channel "channel 0 ".
+std::string channelOf(const Json& channel) {
+  const auto side = channel["side"].get<std::string>();
+  return fmt::format("{} {} ", side == "number" ? "channel" : side,
+                     channel["number"].get<unsigned>());
 }
 
-void addModules(const io::Configuration& configuration, Json& racks) {
+// What is set on a module and on its channels: "input 0 range".
+void addModuleParameters(const io::Module& module, const CpuModel& model, Json& properties) {
+  addParameters(parameterRows(module), "", properties);
+  for (const Json& channel : channelRows(module, model))
+    addParameters(channel["parameters"], channelOf(channel), properties);
+}
+
+void addModules(const io::Configuration& configuration, const CpuModel& model, Json& racks) {
   for (const io::Module& module : configuration.modules)
     for (Json& rack : racks)
       for (Json& slot : rack["slots"])
         if (rack["rack"] == module.rack && slot["slot"] == module.slotText() &&
             slot["kind"] != "cpu")
-          addModuleParameters(module, slot["properties"]);
+          addModuleParameters(module, model, slot["properties"]);
 }
 
 // It has no modules that are chosen: the control, and its machine data unlike the standard ones.
@@ -116,7 +121,7 @@ Json racksOf(const project::Project& project) {
   const io::Configuration hardware =
       project.hardware ? *project.hardware : io::configure({}, *project.model, none);
   Json racks = hardwareRows(hardware, nullptr, project.symbols);
-  addModules(hardware, racks);
+  addModules(hardware, *project.model, racks);
   for (Json& slot : racks[0]["slots"])
     if (slot["kind"] == "cpu") addCpuParameters(project, slot["properties"]);
   return racks;

@@ -8,8 +8,9 @@
 namespace merker::workbench {
 
 Json parameterRows(const io::Module& module);
-// [{side, number, parameters}] of analog channels.
-Json channelRows(const io::Module& module);
+// [{side, number, parameters}] of analog channels, and of counting ones (side "number"), of which
+// the CPU has as many as its model says.
+Json channelRows(const io::Module& module, const CpuModel& model);
 // [{table: "cpu", parameters}, {table: "cpu.OB35", ...}]
 Json cpuParameterRows(const project::Project& project);
 

@@ -260,6 +260,17 @@ void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, s
   take(view.text().text());
 }
 
+std::vector<std::string> SettingsEdit::channelKeys(const ModulePlace& place, std::string_view side,
+                                                   std::uint32_t number) const {
+  std::vector<std::string> keys;
+  SettingsView view(text_);
+  const toml::table* module = project::moduleAt(view, place);
+  const toml::table* channel = module == nullptr ? nullptr : channelOf(*module, side, number);
+  if (channel == nullptr) return keys;
+  for (const auto& [key, value] : *channel) keys.emplace_back(key.str());
+  return keys;
+}
+
 void SettingsEdit::setIn(std::string_view name, std::string_view key, const Value& value) {
   SettingsView view(text_);
   const toml::table* table = tableOf(view.root(), name);

@@ -47,6 +47,9 @@ class SettingsEdit {
   // A [[module.channel]] that `side` ("input", "output", "number") and its number name.
   void setChannel(const ModulePlace& place, std::string_view side, std::uint32_t number,
                   std::string_view key, const Value& value);
+  // What such a table holds, `side` among it; empty: there is none.
+  std::vector<std::string> channelKeys(const ModulePlace& place, std::string_view side,
+                                       std::uint32_t number) const;
   // Of a table with a name: "cpu", "cpu.OB35".
   void setIn(std::string_view table, std::string_view key, const Value& value);
 

@@ -52,9 +52,9 @@ export interface TypedSymbol { symbol: string; operand: string; type?: string; c
 export interface AddressRange { first: number; bytes: number }
 export interface Terminal { text: string; operand: string; symbol: string }
 export interface Fault { name: string; title: string; on: boolean }
-/** `page` of the modules whose parameters have pages; `fixed`: cannot be changed */
-export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length' | 'characters'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[] | number[]; count?: number; group?: number; min?: number; max?: number; hint?: string; page?: string; fixed?: true }
-export interface Channel { side: 'input' | 'output'; number: number; parameters: Parameter[] }
+/** `page` of the modules whose parameters have pages; `fixed`: cannot be changed; `causes`: any of the `choices` */
+export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length' | 'characters' | 'causes'; value: string | number | boolean | number[] | string[] | null; given?: boolean; choices?: string[] | number[]; count?: number; group?: number; min?: number; max?: number; hint?: string; page?: string; fixed?: true }
+export interface Channel { side: 'input' | 'output' | 'number'; number: number; parameters: Parameter[] }
 /** `slot` is like "4" or "2.2"; `parameters` and `channels` only of `hardware.edit` */
 export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }
 /** with `bus` it is none: the slaves of the AS-Interface at the CP in the slot `place`, or the DP slave with the address `place` */

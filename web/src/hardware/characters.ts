@@ -4,7 +4,7 @@ import type { Parameter } from './plan.svelte';
 const hex = (value: number) => value.toString(16).toUpperCase().padStart(2, '0');
 
 export const showCharacters = (value: Parameter['value']): string =>
-  Array.isArray(value) ? value.map(hex).join(' ') : typeof value === 'number' ? hex(value) : '';
+  Array.isArray(value) ? value.map((one) => hex(Number(one))).join(' ') : typeof value === 'number' ? hex(value) : '';
 
 /** A number, or a list; undefined if the text is something else. */
 export function parseCharacters(text: string, list: boolean): number | number[] | undefined {

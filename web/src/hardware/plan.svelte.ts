@@ -12,8 +12,8 @@ export const LAST_SLOT = 11;
 
 export interface Parameter {
   key: string;
-  kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length' | 'characters';
-  value: string | number | boolean | number[] | null;
+  kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length' | 'characters' | 'causes';
+  value: string | number | boolean | number[] | string[] | null;
   /** Of an address: the file names it. */
   given?: boolean;
   choices?: string[] | number[];
@@ -30,7 +30,8 @@ export interface Parameter {
 }
 
 export interface Channel {
-  side: 'input' | 'output';
+  /** Of an analog channel; 'number': of a counting one. */
+  side: 'input' | 'output' | 'number';
   number: number;
   parameters: Parameter[];
 }

@@ -10,6 +10,8 @@ test('what is set on a module, an organization block, a channel, in the language
         ['OB 35 interval', '50ms'],
         ['input 1 range', 'off'],
         ['output 0 substitute', '4mA'],
+        ['channel 1 mode', 'periodic'],
+        ['channel 1 interrupts', 'overflow, comparator'],
       ] as const
     ).map(([name, value]) => propertyText([name, value]));
   language.value = 'de';
@@ -18,6 +20,8 @@ test('what is set on a module, an organization block, a channel, in the language
     'OB 35: Zeittakt: 50ms',
     'Kanal E 1: Messbereich: aus',
     'Kanal A 0: Ersatzwert: 4mA',
+    'Kanal 1: Betriebsart: Periodisch zählen',
+    'Kanal 1: Prozessalarm: Überlauf, Erreichen des Vergleichers',
   ]);
   language.value = 'en';
   expect(texts()).toEqual([
@@ -25,5 +29,7 @@ test('what is set on a module, an organization block, a channel, in the language
     'OB 35: Interval: 50ms',
     'Channel I 1: Range: off',
     'Channel Q 0: Substitute value: 4mA',
+    'Channel 1: Operating mode: Count periodically',
+    'Channel 1: Hardware interrupt: Overflow, Reaching the comparator',
   ]);
 });

@@ -12,18 +12,27 @@ const worded = (text: string): string => (known(text) ? word(text) : said(text))
 
 const t = translator(hardwarePlan);
 const ownerText = (owner: string): string =>
-  /^[io]/.test(owner) ? `${t('channel')} ${operandText(owner.replace('input', 'E').replace('output', 'A'))}` : owner;
+  /^[ioc]/.test(owner)
+    ? `${t('channel')} ${operandText(owner.replace('input', 'E').replace('output', 'A').replace('channel ', ''))}`
+    : owner;
 
-/** "interval" of "OB 35 interval", "range" of "input 1 range", which is of a channel. */
+/** "interval" of "OB 35 interval", "range" of "input 1 range", which is of a channel; "count.mode" of "channel 1 mode", which
+ * is of a counting one. */
+function parts(name: string): [owner: string, key: string] {
+  const [, owner = '', key = name] = /^((?:OB|input|output|channel) \d+) (.+)$/.exec(name) ?? [];
+  return [owner, owner.startsWith('channel') ? `count.${key}` : key];
+}
+
 export function propertyName(name: string): string {
-  const [, owner, key = name] = /^((?:OB|input|output) \d+) (.+)$/.exec(name) ?? [];
+  const [owner, key] = parts(name);
   return owner ? `${ownerText(owner)}: ${worded(key)}` : worded(key);
 }
 
 /** A choice that means something else elsewhere has words of its own. */
 export function propertyValue([name, value]: Property): string {
-  const own = `${name}: ${value}`;
-  return worded(known(own) ? own : value);
+  const [, key] = parts(name);
+  const one = (choice: string) => worded(known(`${key}: ${choice}`) ? `${key}: ${choice}` : choice);
+  return value.split(', ').map(one).join(', ');
 }
 
 export const propertyText = (property: Property): string => `${propertyName(property[0])}: ${propertyValue(property)}`;
