@@ -1,6 +1,6 @@
 // Finding: one search over the whole project with replacing, and the reference data (S7-EDIT-22).
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
@@ -193,7 +193,10 @@ test('assignment list, program structure, unused symbols', async () => {
   await expect(() => panel.getByLabel('Operand oder Symbol').inputValue(), 'AB 1');
   await reference('Programmstruktur');
   const structure = panel.getByRole('table', { name: 'Programmstruktur' });
-  await until(async () => /^\s*OB 1\b[^]*FB 1/.test(await structure.locator('tbody').innerText()), 'the calls of OB 1');
+  const body = structure.locator('tbody');
+  await until(async () => /^\s*OB 1\b[^]*FB 1, DB \d/.test(await body.innerText()), 'the calls of OB 1 with their instances');
+  await structure.locator('th', { hasText: 'im Pfad' }).waitFor();
+  await until(async () => /^\s*OB 1\b[^\n]*höchstens \d\d+ Byte im Pfad/.test(await body.innerText()), 'the longest path');
   await accessible(page, 'program structure');
   await reference('Nicht verwendete Symbole');
   await panel.getByRole('table', { name: 'Nicht verwendete Symbole' }).waitFor();
@@ -203,6 +206,18 @@ test('assignment list, program structure, unused symbols', async () => {
     await page.setViewportSize({ width, height });
     await roomy();
   }
+});
+
+test('the program structure says which block is missing, and opens a data block', async () => {
+  const source = 'FUNCTION FC 90 : VOID\nBEGIN\nNETWORK\n L DB90.DBW 0;\n UC FC 91;\nEND_FUNCTION\n';
+  const data = 'DATA_BLOCK DB 90\nSTRUCT\n a : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n';
+  writeFileSync(join(server.project, 'missing.awl'), source + data);
+  await reference('Programmstruktur');
+  const row = (id) => panel.getByRole('table', { name: 'Programmstruktur' }).locator('tr', { hasText: id });
+  await until(async () => /fehlt/.test(await row('FC 91').innerText()), 'what is missing');
+  assert.doesNotMatch(await row('DB 90').innerText(), /fehlt/);
+  await row('DB 90').getByRole('button').press('Enter');
+  await until(async () => (await page.locator('.code .cm-activeLine').innerText()).includes('DATA_BLOCK DB 90'), 'its source');
 });
 
 test('the assignment list of an English page asks in English, also of a program of STEP 5', async () => {
@@ -219,6 +234,11 @@ test('the assignment list of an English page asks in English, also of a program 
     await until(async () => /^I 0\.0/.test(await first.innerText()), 'what German letters mean');
     await operand.fill('Q 1');
     await until(async () => /^QW? \d/.test(await first.innerText()), 'a part of an operand');
+    await english.getByRole('tab', { name: 'Program structure' }).click();
+    await english.locator('#program-panel tbody').getByRole('button', { name: 'OB 1', exact: true }).waitFor();
+    // STEP 5 has no local data.
+    const local = english.locator('#program-panel th', { hasText: /Local data|In the path/ });
+    await expect(() => local.count(), project === server ? 2 : 0);
   }
 });
 

@@ -1,5 +1,5 @@
 // Data blocks variable by variable, as the data view of a programming device shows them, and the
-// assignment list of the program (S7-EDIT-22).
+// assignment list and the structure of the program (S7-EDIT-22).
 #include "awl/data_text.h"
 #include "cpu/cpu.h"
 #include "monitor/assignment_list.h"
@@ -8,6 +8,7 @@
 #include "monitor/display_format.h"
 #include "workbench/elsewhere.h"
 #include "workbench/program_rows.h"
+#include "workbench/structure_rows.h"
 #include "workbench/symbol_rows.h"
 
 namespace merker::workbench {
@@ -182,9 +183,17 @@ Answer assignments(const Call& call) {
       });
 }
 
+Answer structure(const Call& call) {
+  return elsewhere(call, call.shared.clerk,
+                   [offline = call.shared.offlineRef()](const Aside&) -> Answer {
+                     return Json{{"blocks", structureRows(*offline->build)}};
+                   });
+}
+
 constexpr Method kMethods[] = {
     {"program.data", Needs::able(Feature::Blocks), show, Kind::Compiled},
     {"program.assignments", Needs::able(Feature::References), assignments, Kind::Compiled},
+    {"program.structure", Needs::able(Feature::References), structure, Kind::Compiled},
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct CrossReference {
   std::string symbol;            // its symbolic name, if any
   address::Operand key;          // kind None: a block or a formal operand
   std::optional<BlockId> block;  // that is called or opened; that a formal operand belongs to
+  std::int32_t instance = -1;    // data block of the CALL that names `block`, if it has one
   std::uint32_t formal = 0;      // word of the parameter list, from 1; 0: not a formal operand
   std::int32_t db = -1;          // of data; -1: which block is open there is not known
   std::uint32_t bits = 0;  // of a range (ANY, composite parameter); 0: what the operand's width has

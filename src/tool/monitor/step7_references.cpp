@@ -111,6 +111,7 @@ void Step7References::add(Operand key, std::int32_t db, Use use, const mc7::Inst
   if (key.kind == OperandKind::Block) {
     row.block = BlockId{key.blockKind, static_cast<std::uint16_t>(key.value)};
     row.operand = toString(*row.block);
+    if (call_) row.instance = call_->instance;
   }
   if (db >= 0) row.operand = fmt::format("DB{}.{}", db, row.operand);
   add(std::move(row), use, one);

@@ -138,6 +138,18 @@ TEST_F(Sinumerik5, ListsFunctionBlocksOfTheBasicProgramAsCalled) {
   EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"FB 61", "PB 9"}));
 }
 
+// S7-EDIT-22 for a listing: STEP 5 has no local data; FB 61 is a macro, DB 1 a block of the system.
+TEST_F(Sinumerik5, HasAProgramStructure) {
+  folder.write("main.s5",
+               "OB 1\n      A     DB 1\n      L     DW 0\n      A     DB 20\n      SPA   PB 9\n"
+               "      BE\n");
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  EXPECT_EQ(ask({{"do", "program.structure"}})["blocks"],
+            Json::parse(R"([{"id":"OB 1","uses":[{"id":"DB 1","from":"cpu"},
+      {"id":"DB 20","from":"missing"},{"id":"PB 9","from":"missing"}]}])"));
+}
+
 // STOP and RUN are keys of the programmer; there is no switch that could stand at MRES.
 TEST_F(Sinumerik5, HasKeysForRunAndStopOnly) {
   EXPECT_EQ(refusal({{"do", "cpu.switch"}, {"position", "MRES"}}), "P1307");

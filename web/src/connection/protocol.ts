@@ -45,6 +45,10 @@ export interface DataStructure { path: string; type: string }
 export interface BlockText { id: string; code: string; checksum: string; source: string }
 /** `bits`: which of its bits are used as bits */
 export interface AssignedByte { area: string; byte: number; bits: number; byByte: boolean; byWord: boolean; byDWord: boolean }
+/** `instance`: the data block of a CALL; `from`: where the block is */
+export interface UsedBlock { id: string; instance?: string; from: 'program' | 'cpu' | 'missing' }
+/** `local`: bytes of local data of its own, where the PLC has local data; `uses`: blocks that it calls, data blocks that it opens or accesses */
+export interface StructureRow { id: string; local?: number; uses: UsedBlock[] }
 /** `access` is "R", "W", "RW" or "CALL" */
 export interface Reference { operand: string; symbol: string; block: string; file: string; line: number; network: number; instruction: string; access: string }
 export interface SymbolRow { symbol: string; operand: string; type: string; comment: string }
@@ -188,6 +192,8 @@ export interface Requests {
   'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; without: string[]; rows: DataRow[]; more: number; structures: DataStructure[] } };
   /** the assignment list; symbols that nothing uses, operands that have none */
   'program.assignments': { fields: Record<string, never>; result: { bytes: AssignedByte[]; timers: number[]; counters: number[]; unused: SymbolRow[]; withoutSymbol: string[] } };
+  /** each block with code, and what it calls, opens or accesses */
+  'program.structure': { fields: Record<string, never>; result: { blocks: StructureRow[] } };
   /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. Elements have the names of `mnemonics`, those of the text; reasons and sentences are in `language`. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */
   'networks.show': { fields: { file: string; text?: string; line: number; view?: 'kop' | 'fup'; language?: 'german' | 'english'; display?: 'written' | 'symbolic' | 'absolute' }; result: { block: string; line: number; end: number; mnemonics: 'german' | 'international'; networks: NetworkPicture[] } };
   /** an element put in, taken out, changed in this network of the block at `line`: lines `from` to before `to` of the text become `lines`, which the browser puts into it; then the element of `network` is selected. In the `view` KOP a network that KOP can draw stays one. P1308 says why an edit is not possible */
