@@ -61,6 +61,16 @@ test('an event without its OB stops the CPU, and the panel says why (S7-SIM-13)'
   await expect(() => led('SF'), 'off');
 });
 
+test('the clock is set from the front plate as well', async () => {
+  await button('Mehr …').click();
+  await page.getByRole('button', { name: 'Uhrzeit stellen' }).press('Enter');
+  await expect(() => page.getByRole('dialog').count(), 1);
+  await page.getByRole('dialog').getByRole('button', { name: 'Stellen', exact: true }).press('Enter');
+  const year = String(new Date().getFullYear());
+  await until(async () => (await page.locator('aside [title="Uhr der CPU"]').innerText()).startsWith(year), 'the time of this computer');
+  await leave(page);
+});
+
 test('memory reset is asked for first; cancelling keeps the program', async () => {
   await page.getByRole('radio', { name: 'MRES' }).click();
   await page.getByRole('dialog').getByRole('button', { name: 'Abbrechen' }).click();

@@ -1,6 +1,6 @@
 // Diagnostic buffer with help and the way to the block, stacks, module information (S7-MGR-16).
 import assert from 'node:assert/strict';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -59,6 +59,37 @@ test('each change of the operating state is an entry, newest first', async () =>
   await has(entries.first(), /16#[0-9A-F]{4}[^]*RUN/);
   const heights = await entries.evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().height));
   assert.ok(Math.max(...heights) <= 26, `each event has one line: ${heights}`);
+});
+
+test('the diagnostic buffer is saved as a text with all details', async () => {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Speichern unter' }).press('Enter')]);
+  assert.match(download.suggestedFilename(), /Diagnosepuffer\.txt$/);
+  const saved = readFileSync(await download.path(), 'utf-8');
+  assert.match(saved, /^Diagnosepuffer\r\n[^]*CPU 314C-2 PtP[^]*\r\nGespeichert am \d{4}-\d\d-\d\d/);
+  assert.match(saved, /\r\nNr\.: +1\r\nUhrzeit: +\d\d:\d\d:\d\d\.\d{3}\r\nDatum: +\d{4}-\d\d-\d\d\r\nEreignis: [^\r]*RUN[^\r]*\r\nEreignis-ID: +16#[0-9A-F]{4}\r\n/);
+  assert.equal(saved.match(/\r\nNr\.:/g).length, await entries.count());
+});
+
+test('the clock of the CPU is set to a typed time, or to that of this computer', async () => {
+  await page.getByRole('tab', { name: 'Baugruppenzustand' }).click();
+  await page.getByRole('button', { name: 'Uhrzeit stellen' }).press('Enter');
+  const dialog = page.getByRole('dialog');
+  const clock = dialog.locator('[data-clock]');
+  const set = () => dialog.getByRole('button', { name: 'Stellen', exact: true }).press('Enter');
+  await dialog.getByLabel('Vom PG/PC übernehmen').uncheck();
+  await dialog.getByLabel('Datum').fill('2042-02-28');
+  await dialog.getByLabel('Uhrzeit', { exact: true }).fill('23:10:00');
+  await accessible(page, 'the clock');
+  await set();
+  await until(async () => (await clock.innerText()).startsWith('2042-02-28 23:'), 'the typed time');
+  await dialog.getByLabel('Datum').fill('2090-01-01');
+  await set();
+  await dialog.getByRole('alert').filter({ hasText: 'Datum und Uhrzeit der Jahre 1990 bis 2089' }).waitFor();
+  assert.match(await clock.innerText(), /^2042-/);
+  await dialog.getByLabel('Vom PG/PC übernehmen').check();
+  await set();
+  await until(async () => (await clock.innerText()).startsWith(`${new Date().getFullYear()}-`), 'the time of this computer');
+  await page.keyboard.press('Escape');
 });
 
 test('module information shows the CPU and its memory', async () => {

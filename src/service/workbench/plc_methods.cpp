@@ -1,5 +1,10 @@
 // Mode switch, power, start and stop, events by hand, pace of time.
+#include <array>
+
+#include "address/constant.h"
+#include "base/bytes.h"
 #include "cpu/events_by_hand.h"
+#include "cpu/real_time_clock.h"
 #include "cpu/switch_panel.h"
 #include "cpu/trigger.h"
 #include "plc/machine_code.h"
@@ -88,6 +93,28 @@ Answer trigger(const Call& call) {
   return empty();
 }
 
+// "2005-09-01 08:00:00.000" as milliseconds since 1990-01-01 (S7-TYPES-18).
+std::optional<std::int64_t> clockTime(std::string text) {
+  if (const auto gap = text.find(' '); gap != std::string::npos) text[gap] = '-';
+  const auto bcd = parseDateAndTime("DT#" + text, nowhere());
+  if (!bcd) return {};
+  std::array<std::uint8_t, 8> bytes{};
+  storeDWord(bytes.data(), static_cast<std::uint32_t>(*bcd >> 32));
+  storeDWord(bytes.data() + 4, static_cast<std::uint32_t>(*bcd));
+  return cpu::fromDateAndTime(bytes.data());
+}
+
+Answer setClock(const Call& call) {
+  const std::string time = call.fields.text("time");
+  if (!call.fields.good()) return call.fields.problems();
+  const auto milliseconds = clockTime(time);
+  if (!milliseconds)
+    return refused(ProblemCode::P1305, "time",
+                   "a date and a time of the years 1990 to 2089, like 2005-09-01 08:00:00");
+  call.monitor().setClock(*milliseconds);
+  return empty();
+}
+
 std::optional<Problems> engineStays(const Call& call) {
   if (call.plc().controller().mode() == controller::Mode::Stop) return std::nullopt;
   return refused(ProblemCode::P1308, "the engine", "it can be changed in STOP only");
@@ -143,6 +170,7 @@ constexpr Method kMethods[] = {
     {"cpu.stop", Needs::PlcOn, stop, Kind::Action},
     {"cpu.reset", Needs::PlcOn, reset, Kind::Action},
     {"cpu.trigger", Needs::ableOn(Feature::Interrupts), trigger, Kind::Action},
+    {"cpu.setClock", Needs::ableOn(Feature::Clock), setClock, Kind::Action},
     {"cpu.engine", Needs::able(Feature::Engine), engine},
     {"time.pace", Needs::Nothing, pace},
     {"time.step", Needs::Plc, step},

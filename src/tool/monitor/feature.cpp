@@ -23,6 +23,7 @@ constexpr std::array kFeatures{
     FeatureName{Feature::TimersByHand, "timersByHand", "timers that stop by hand"},
     FeatureName{Feature::ModeSwitch, "modeSwitch", "mode switch"},
     FeatureName{Feature::Leds, "leds", "LEDs"},
+    FeatureName{Feature::Clock, "clock", "clock"},
     FeatureName{Feature::Nc, "nc", "numerical control"}};
 
 constexpr bool inOrder() {

@@ -26,7 +26,8 @@ enum class Feature : std::uint8_t {
   TimersByHand,  // S5 timers stand until someone sets them
   ModeSwitch,    // RUN-P, RUN, STOP, MRES
   Leds,
-  Nc  // data of a numerical control beside it
+  Clock,  // date and time of day that can be set
+  Nc      // data of a numerical control beside it
 };
 
 struct FeatureName {

@@ -94,6 +94,8 @@ class Monitor : private CycleAccess {
   virtual void stop() = 0;
   // "2005-09-01 08:00:00.000", as the clock of the machine shows it; empty: it has none.
   virtual std::string clock() const = 0;
+  // Milliseconds since 1990-01-01, where the machine has a clock.
+  virtual void setClock(std::int64_t) {}
   // A program was given to the machine that it takes at the end of its cycle.
   virtual bool downloadWaits() const = 0;
 

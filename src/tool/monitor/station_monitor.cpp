@@ -38,6 +38,8 @@ std::string StationMonitor::clock() const {
   return clockText(station_.cpu().clock().milliseconds(station_.now()));
 }
 
+void StationMonitor::setClock(std::int64_t milliseconds) { station_.cpu().setClock(milliseconds); }
+
 bool StationMonitor::downloadWaits() const {
   return station_.cpu().program().get() != &station_.program();
 }

@@ -16,6 +16,7 @@ class StationMonitor final : public Monitor {
   bool can(Feature feature) const override { return feature != Feature::Nc; }
   void stop() override;
   std::string clock() const override;
+  void setClock(std::int64_t milliseconds) override;
   bool downloadWaits() const override;
   bool timersHeld() const override;
   void holdTimers(bool hold) override;

@@ -63,6 +63,25 @@ TEST(PlcMethods, EventsByHand) {
   EXPECT_NE(state["stopReason"].get<std::string>().find("16#4568"), std::string::npos);
 }
 
+// S7-CPU-32, S7-TYPES-18: the years of DATE_AND_TIME.
+TEST(PlcMethods, TheClockIsSet) {
+  Bench bench;
+  bench.call("cpu.stop");
+  bench.call("cpu.setClock", {{"time", "2024-02-29 23:59:59.5"}});
+  const std::string clock = bench.state()["clock"];
+  EXPECT_EQ(clock.substr(0, 19), "2024-02-29 23:59:59") << clock;
+  for (const char* first : {"1990-01-01 00:00:00", "2089-12-31 23:59:59"}) {
+    bench.call("cpu.setClock", {{"time", first}});
+    EXPECT_EQ(bench.state()["clock"].get<std::string>().substr(0, 19), first);
+  }
+  for (const char* wrong : {"1989-12-31 23:59:59", "2090-01-01 00:00:00", "2023-02-29 00:00:00",
+                            "2024-01-01 24:00:00", "2024-01-01", "", "tomorrow"})
+    EXPECT_EQ(bench.problem("cpu.setClock", {{"time", wrong}}), "P1305") << wrong;
+  EXPECT_EQ(bench.state()["clock"].get<std::string>().substr(0, 4), "2089");
+  bench.call("cpu.power", {{"on", false}});
+  EXPECT_EQ(bench.problem("cpu.setClock", {{"time", "2024-01-01 00:00:00"}}), "P1308");
+}
+
 TEST(PlcMethods, TheEngineChangesInStopOnly) {
   Bench bench;
   EXPECT_EQ(bench.problem("cpu.engine", {{"engine", "jit"}}), "P1308");

@@ -142,18 +142,18 @@ TEST(Program, BlocksAreListed) {
   }
 }
 
-// S7-EDIT-22: SFC 64 is of the CPU, FC 300 of nobody.
+// S7-EDIT-22: SFC 64 is of the CPU, FC 60 of nobody.
 TEST(Program, StructureSaysWhatIsMissing) {
   Bench bench(
       "DATA_BLOCK DB 1\nSTRUCT\n a : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"
-      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n AUF DB 1;\n UC FC 300;\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n AUF DB 1;\n UC FC 60;\n"
       " CALL SFC 64 (RET_VAL := MD 50);\nEND_ORGANIZATION_BLOCK\n");
   const Json list = bench.call("program.structure")["blocks"];
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0]["id"], "OB 1");
   EXPECT_GE(list[0]["local"], 20);
   EXPECT_EQ(list[0]["uses"], Json::parse(R"([{"id":"DB 1","from":"program"},
-      {"id":"FC 300","from":"missing"},{"id":"SFC 64","from":"cpu"}])"));
+      {"id":"FC 60","from":"missing"},{"id":"SFC 64","from":"cpu"}])"));
 }
 
 TEST(Program, BlocksOfTheCpuBecomeSources) {

@@ -154,6 +154,7 @@ TEST_F(Sinumerik5, HasAProgramStructure) {
 TEST_F(Sinumerik5, HasKeysForRunAndStopOnly) {
   EXPECT_EQ(refusal({{"do", "cpu.switch"}, {"position", "MRES"}}), "P1307");
   EXPECT_EQ(refusal({{"do", "cpu.switch"}, {"position", "RUN-P"}}), "P1307");
+  EXPECT_EQ(refusal({{"do", "cpu.setClock"}, {"time", "2024-01-01 00:00:00"}}), "P1307");
   EXPECT_EQ(plc().mode(), controller::Mode::Run);
   ask({{"do", "cpu.switch"}, {"position", "STOP"}});
   EXPECT_EQ(plc().mode(), controller::Mode::Stop);

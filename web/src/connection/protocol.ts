@@ -89,7 +89,7 @@ export interface UploadedPart { path: string; data: string }
 /** `quoted`: a problem whose sentence the text contains. [import.md](formats/import.md#the-report) */
 export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string; quoted?: { code: string; text: string; arguments: string[] } }
 /** `can`: what the machine can do; `serial`: it has an interface X27; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU; of several stations `station` is the one that is shown and `network` their project, else both are empty */
-export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds' | 'nc')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[]; station: string; network: string }
+export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds' | 'clock' | 'nc')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[]; station: string; network: string }
 /** `rate` is like "187.5 kbit/s"; `ip` on Ethernet, `slaves` of a DP master; PROFIBUS stands behind the others */
 export interface PlannedSubnet { name: string; kind: string; rate: string; highest: number; nodes: { station: string; address: number; ip?: string }[]; slaves: { address: number; name: string; model: string }[] }
 /** a project of several stations as its merker.toml has it: `shown` is the station that the other requests are about; `model` is empty if a station cannot be read; `circles`: global data, operands with their stations; `connections`: configured S7 connections */
@@ -118,6 +118,8 @@ export interface Requests {
   'cpu.reset': { fields: Record<string, never>; result: Record<string, never> };
   /** triggers the event of OB 40, 80, 82, 83, 85 or 86 manually (S7-SIM-13), of the module at this address; for 82, 83, 86 also the outgoing event */
   'cpu.trigger': { fields: { ob: number; address?: number; going?: boolean }; result: Record<string, never> };
+  /** sets the clock of the CPU; `time` is like "2005-09-01 08:00:00.000", from 1990 to 2089, parts of a second can be missing */
+  'cpu.setClock': { fields: { time: string }; result: Record<string, never> };
   /** only in STOP */
   'cpu.engine': { fields: { engine: 'interpreter' | 'jit' }; result: Record<string, never> };
   /** waits for the end of the cycle and writes the whole CPU into a [file](formats/cpu-state.md), `*.state`; P1308 beyond 8 MB */

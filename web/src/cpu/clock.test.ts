@@ -1,0 +1,12 @@
+import { expect, test } from 'vitest';
+import { clockOf, clockText } from './clock';
+
+test('the local time of this computer', () => {
+  expect(clockOf(new Date(2024, 1, 9, 8, 7, 6, 5))).toEqual({ date: '2024-02-09', time: '08:07:06', parts: '005' });
+});
+
+test('what is typed; seconds can be left out', () => {
+  expect(clockText(' 2024-02-09 ', '08:07 ')).toBe('2024-02-09 08:07:00');
+  expect(clockText('2024-02-09', '08:07:06.5')).toBe('2024-02-09 08:07:06.5');
+  expect(clockText('', 'noon')).toBe(' noon');
+});
