@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { content, problems, replaceAll, text, toLine } from './editor.mjs';
 import { expect, message, open, picture, quiet, serve, turn, until, visit } from './harness.mjs';
 
@@ -52,18 +53,20 @@ test('a block that this CPU cannot have is refused in the dialog, and no file is
   for (const file of ['fc99999.awl', 'db0.awl', 'ob2.awl']) assert.ok(!existsSync(join(server.project, file)), file);
 });
 
+const create = async (name, more) => {
+  await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+  await page.getByLabel(/^Baustein, z/).fill(name);
+  await more?.();
+  await page.getByRole('button', { name: 'Anlegen' }).click();
+};
+const dispose = async (path) => {
+  await expect(() => page.locator('.bar .path').innerText(), path);
+  await page.getByRole('button', { name: 'Datei löschen' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Datei löschen' }).click();
+  await until(() => !existsSync(join(server.project, path)), `${path} gone`);
+};
+
 test('the new block is the one selected in the tree; a data type and a table of variables begin as one', async () => {
-  const create = async (name) => {
-    await page.getByRole('button', { name: 'Neuer Baustein' }).click();
-    await page.getByLabel(/^Baustein, z/).fill(name);
-    await page.getByRole('button', { name: 'Anlegen' }).click();
-  };
-  const dispose = async (path) => {
-    await expect(() => page.locator('.bar .path').innerText(), path);
-    await page.getByRole('button', { name: 'Datei löschen' }).click();
-    await page.getByRole('dialog').getByRole('button', { name: 'Datei löschen' }).click();
-    await until(() => !existsSync(join(server.project, path)), `${path} gone`);
-  };
   await create('FC 77');
   await page.locator('[role="treeitem"][aria-selected="true"]').filter({ hasText: 'FC 77' }).waitFor();
   assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
@@ -71,7 +74,19 @@ test('the new block is the one selected in the tree; a data type and a table of 
   await create('udt 7');
   await until(async () => (await text(page)).startsWith('TYPE UDT 7\nSTRUCT'), 'the data type');
   await expect(() => problems(page).count(), 0, 'problems');
+  await create('DB 77', async () => {
+    await page.getByLabel('Art des Datenbausteins').selectOption('DB vom Typ');
+    await expect(() => page.getByLabel('Datentyp').inputValue(), 'UDT 7');
+  });
+  await until(async () => (await text(page)).startsWith('DATA_BLOCK DB 77 UDT 7\n'), 'a data block of the type');
+  await expect(() => problems(page).count(), 0, 'problems');
+  await dispose('db77.awl');
+  await page.locator('.files').getByText('udt7.awl').click();
   await dispose('udt7.awl');
+  await create('OB 35');
+  await until(async () => /^ORGANIZATION_BLOCK OB 35\n[^]*OB35_EXC_FREQ : INT ;\n  OB35_DATE_TIME : DATE_AND_TIME ;/.test(await text(page)), 'its start information');
+  await expect(() => problems(page).count(), 0, 'problems');
+  await dispose('ob35.awl');
   await create('VAT 1');
   await page.locator('#variable-table').waitFor();
   await expect(() => page.locator('#variable-table').inputValue(), 'vat1.vat');
@@ -90,15 +105,19 @@ test('the definition of the project is neither renamed nor deleted here', async 
 test('a new data block is shared, an instance or of a type (S7-MGR-12)', async () => {
   await page.getByRole('button', { name: 'Neuer Baustein' }).click();
   await page.getByLabel(/^Baustein, z/).fill('DB 99');
-  await page.getByLabel(/^Instanz von/).fill('FC 1');
+  const kind = page.getByLabel('Art des Datenbausteins');
+  await expect(() => kind.inputValue(), 'shared');
+  await kind.selectOption('DB vom Typ');
   await page.getByRole('button', { name: 'Anlegen' }).click();
-  await page.getByRole('alert').getByText('UDT 2').waitFor();
-  await page.getByLabel(/^Instanz von/).fill('fb1');
+  await page.getByRole('alert').getByText('noch keinen UDT').waitFor();
+  await kind.selectOption('Instanz-DB');
+  await accessible(page, 'a new data block');
+  await page.getByLabel('Funktionsbaustein').selectOption({ label: 'SFB 4 TON' });
+  await page.getByLabel('Funktionsbaustein').selectOption('FB 1');
   await page.getByRole('button', { name: 'Anlegen' }).click();
-  await until(async () => (await text(page)).startsWith('DATA_BLOCK DB 99 FB 1'), 'the instance');
-  await page.getByRole('button', { name: 'Datei löschen' }).click();
-  await page.getByRole('dialog').getByRole('button', { name: 'Datei löschen' }).click();
-  await until(async () => !(await text(page)).includes('DB 99'), 'the file gone');
+  await until(async () => (await text(page)).startsWith('DATA_BLOCK DB 99 FB 1\n'), 'the instance');
+  await expect(() => problems(page).count(), 0, 'problems');
+  await dispose('db99.awl');
 });
 
 test('networks are shown with their titles and gone to (S7-EDIT-05)', async () => {

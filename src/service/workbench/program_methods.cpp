@@ -1,6 +1,7 @@
 // The program: compile, compare, load into the CPU, look at its blocks.
 #include "workbench/message.h"
 #include "workbench/program_rows.h"
+#include "workbench/start_declaration.h"
 #include "workbench/translated.h"
 
 namespace merker::workbench {
@@ -310,6 +311,12 @@ Answer complete(const Call& call) {
                    });
 }
 
+Answer startInformation(const Call& call) {
+  const auto ob = static_cast<std::uint32_t>(call.fields.integer("ob", 1, 255));
+  if (!call.fields.good()) return call.fields.problems();
+  return Json{{"text", startDeclaration(ob)}};
+}
+
 // The first rows; how many more there are. An operand shows the rest.
 Answer referenced(const Aside& aside, const compilation::Build& build) {
   constexpr std::size_t kMost = 20'000;
@@ -345,6 +352,7 @@ constexpr Method kMethods[] = {
     {"program.listing", Needs::able(Feature::Blocks), showListing, Kind::Compiled},
     {"program.machineCode", Needs::able(Feature::Blocks), showMachineCode, Kind::Compiled},
     {"program.completion", Needs::able(Feature::Completion), complete, Kind::Compiled},
+    {"program.startInformation", Needs::able(Feature::Completion), startInformation},
     {"program.references", Needs::able(Feature::References), references, Kind::Compiled},
 };
 

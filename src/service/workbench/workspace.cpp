@@ -11,6 +11,7 @@
 #include "workbench/example_language.h"
 #include "workbench/json.h"
 #include "workbench/project_folder.h"
+#include "workbench/start_declaration.h"
 
 namespace merker::workbench {
 namespace {
@@ -138,11 +139,12 @@ fs::path canonical(const std::string& path) {
   return path.empty() ? fs::path() : fs::weakly_canonical(path, error);
 }
 
-// A comment in the words of the mnemonics: an empty network says of neither which it is.
+// With its start information. A comment in the words of the mnemonics: an empty network says of
+// neither which it is.
 std::string blockText(std::uint32_t ob, Mnemonics mnemonics) {
   return fmt::format(
-      "ORGANIZATION_BLOCK OB {}\nBEGIN\nNETWORK\nTITLE = {}\n\nEND_ORGANIZATION_BLOCK\n\n", ob,
-      mnemonics == Mnemonics::German ? "Netzwerk 1" : "Network 1");
+      "ORGANIZATION_BLOCK OB {}\n{}BEGIN\nNETWORK\nTITLE = {}\n\nEND_ORGANIZATION_BLOCK\n\n", ob,
+      startDeclaration(ob), mnemonics == Mnemonics::German ? "Netzwerk 1" : "Network 1");
 }
 
 // Error OBs as far as the CPU has them.

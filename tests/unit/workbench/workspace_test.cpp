@@ -1,7 +1,11 @@
 // Where projects lie: copies of examples, new ones, and what may be opened.
 #include "workbench/workspace.h"
 
+#include <fmt/format.h>
+
 #include "bench.h"
+#include "catalogue/cpu_model.h"
+#include "workbench/start_declaration.h"
 
 namespace merker::workbench::test {
 namespace {
@@ -127,6 +131,43 @@ TEST_F(Projects, ANewOneIsMadeOnce) {
   wanted.form = "empty";
   wanted.model = "315";
   EXPECT_EQ(codeOf(workspace.make(wanted)), "P0705");
+}
+
+// S7-OBI-02, S7-FC-09: with its start information by name; what follows stands at 20.0.
+TEST_F(Projects, ItsOrganizationBlocksDeclareTheirStartInformation) {
+  const NewProject wanted{.name = "Line", .model = "generic", .form = "errors", .ob = 35};
+  ASSERT_EQ(codeOf(workspace.make(wanted)), "made " + folder.path("mine/Line"));
+  const auto built = compilation::build(project::load(folder.path("mine/Line"), {}), true);
+  ASSERT_TRUE(built.ok()) << dump(toJson(built.problems));
+  const auto& variables = built.program->at({BlockKind::OB, 1}).variables;
+  ASSERT_EQ(variables.size(), 10u);
+  EXPECT_EQ(variables[1].name, "OB1_SCAN_1");
+  EXPECT_EQ(variables[6].name, "OB1_PREV_CYCLE");
+  for (const auto& [id, block] : *built.program) EXPECT_EQ(block.localBytes, 20u) << toString(id);
+}
+
+// S7-OBI-01: any block has 20 bytes, without gaps.
+TEST(StartDeclaration, OfAnyBlockHasTwentyBytes) {
+  const Folder folder;
+  folder.write("merker.toml", "[cpu]\nmodel = \"generic\"\n");
+  std::string text;
+  const CpuModel& model = *findCpuModel("generic");
+  for (const std::uint32_t ob : model.organizationBlocks)
+    text += fmt::format(
+        "ORGANIZATION_BLOCK OB {}\n{}VAR_TEMP\n own : BYTE;\nEND_VAR\nBEGIN\nNETWORK\n"
+        "END_ORGANIZATION_BLOCK\n",
+        ob, startDeclaration(ob));
+  folder.write("main.awl", text);
+  const auto built = compilation::build(project::load(folder.path(), {}), true);
+  ASSERT_TRUE(built.ok()) << dump(toJson(built.problems));
+  EXPECT_EQ(built.program->size(), model.organizationBlocks.size());
+  for (const auto& [id, block] : *built.program) {
+    const auto& own = block.variables.back();
+    EXPECT_EQ(own.address, 20u * 8) << toString(id);
+    std::size_t bits = 0;  // no gaps
+    for (const block::Variable& one : block.variables) bits += block::sizeInBits(*one.type);
+    EXPECT_EQ(bits, 21u * 8) << toString(id);
+  }
 }
 
 TEST_F(Projects, ANewOneOfASinumerikIsAListing) {

@@ -188,6 +188,8 @@ export interface Requests {
   'program.machineCode': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { block: string; file: string; unit: 'byte' | 'word'; rows: MachineCodeRow[] } };
   /** a mnemonic is its word, its operands, its id */
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
+  /** declares the 20 bytes that a new organization block of STEP 7 begins with */
+  'program.startInformation': { fields: { ob: number }; result: { text: string } };
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
   'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
   /** the variables of a data block: the first 20,000, and how many more. Actual values of the project, or with `online` those that the CPU has now. `assignments`: what BEGIN says of them; `without`: the variables whose value no constant says, they are not in it; P1308 for a block without data */

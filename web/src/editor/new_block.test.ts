@@ -1,14 +1,15 @@
 import { expect, test } from 'vitest';
 import type { BlockNumbers } from './catalogue';
 import {
+  basesOf,
   blockId,
   blockText,
   calledInstance,
+  type DataKind,
   fileOf,
   listingText,
   otherNumbers,
   otherStep5Numbers,
-  typeName,
 } from './new_block';
 import { listingOutline } from './listing_outline';
 import { outline } from './outline';
@@ -27,15 +28,25 @@ test.each(['OB 1', 'FB 2', 'FC 3', 'DB 4'])('%s begins with a text that has it',
   expect(outline(blockText(id)).map((block) => block.name)).toEqual([id]),
 );
 
-test.each([
-  ['fb1', 'FB 1'],
-  ['udt 02', 'UDT 2'],
-  ['"Box"', '"Box"'],
-  ['FC 1', null],
-])('%s as type of a data block is %s', (text, type) => expect(typeName(text)).toBe(type));
+test('what a data block can be made of, in the order of the block tree', () => {
+  const blocks = ['SFB 4', 'UDT 2', 'FB 10', 'FC 1', 'FB 2', 'DB 1'].map((id) => ({
+    id,
+    symbol: `of ${id}`,
+    title: '',
+  }));
+  const ids = (kind: DataKind, called?: string) => basesOf(kind, blocks, called).map(({ id }) => id);
+  expect(ids('instance')).toEqual(['FB 2', 'FB 10', 'SFB 4']);
+  expect(ids('instance', 'FB 3')).toEqual(['FB 2', 'FB 3', 'FB 10', 'SFB 4']);
+  expect(ids('type', 'FB 3')).toEqual(['UDT 2']);
+  expect(ids('shared')).toEqual([]);
+  expect(basesOf('type', blocks)[0]!.symbol).toBe('of UDT 2');
+});
+
+test('an organization block begins with its start information', () =>
+  expect(blockText('OB 1', { start: 'VAR_TEMP\nEND_VAR\n' })).toContain('VERSION : 0.1\nVAR_TEMP\nEND_VAR\nBEGIN\n'));
 
 test('a data block may be the instance of a function block (S7-MGR-12)', () =>
-  expect(blockText('DB 4', 'FB 2')).toContain('DATA_BLOCK DB 4 FB 2\n'));
+  expect(blockText('DB 4', { base: 'FB 2' })).toContain('DATA_BLOCK DB 4 FB 2\n'));
 
 test('a data type has a structure', () =>
   expect(blockText('UDT 1')).toMatch(/^TYPE UDT 1\nSTRUCT\n[^]*END_STRUCT ;\nEND_TYPE\n$/));

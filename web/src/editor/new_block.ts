@@ -1,5 +1,6 @@
 // The text a new block begins with.
-import type { BlockNumbers } from './catalogue';
+import { compareIds } from './block_tree';
+import type { BlockEntry, BlockNumbers } from './catalogue';
 
 const keywords: Record<string, string> = {
   OB: 'ORGANIZATION_BLOCK',
@@ -56,11 +57,15 @@ export function otherStep5Numbers(id: string): string | null {
 const outside = (number: number, [first, last]: readonly [number, number]): string | null =>
   number >= first && number <= last ? null : `${first} … ${last}`;
 
-/** What a data block can be made of: "fb1", "UDT 2", a symbol in quotation marks; null if it is nothing like it. */
-export function typeName(text: string): string | null {
-  const [, kind, number] = /^\s*(FB|SFB|UDT)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
-  if (kind) return `${kind.toUpperCase()} ${Number(number)}`;
-  return /^\s*"[^"]+"\s*$/.test(text) ? text.trim() : null;
+/** As STEP 7 asks: with variables of its own, those of a function block, or those of a data type. */
+export type DataKind = 'shared' | 'instance' | 'type';
+const BASES: Record<DataKind, RegExp> = { shared: /(?!)/, instance: /^S?FB /, type: /^UDT / };
+
+/** What a data block can be made of, and what a CALL names even if it is not compiled yet; in the order of the block tree. */
+export function basesOf(kind: DataKind, blocks: readonly BlockEntry[], called = ''): { id: string; symbol: string }[] {
+  const found = new Map(blocks.filter(({ id }) => BASES[kind].test(id)).map((one) => [one.id, one.symbol]));
+  if (BASES[kind].test(called) && !found.has(called)) found.set(called, '');
+  return [...found].map(([id, symbol]) => ({ id, symbol })).sort((a, b) => compareIds(a.id, b.id));
 }
 
 /** Whose instance a data block has to be, as the open texts call it: "SFB 44"; empty: nobody calls it. */
@@ -94,14 +99,15 @@ export function listingText(id: string): string {
   return kind === 'FB' ? `${id}\nNAME : FB${number}\n : BE\n` : `${id}\nNETZWERK 1\n : BE\n`;
 }
 
-export function blockText(id: string, instanceOf = ''): string {
+/** `base`: of a data block; `start`: the declaration of the start information of an organization block. */
+export function blockText(id: string, { base = '', start = '' } = {}): string {
   const [kind = ''] = id.split(' ');
   const keyword = keywords[kind]!;
   if (kind === 'UDT') return `TYPE ${id}\n${structure}END_TYPE\n`;
   if (kind === 'DB')
-    return instanceOf
-      ? `DATA_BLOCK ${id} ${instanceOf}\nBEGIN\nEND_DATA_BLOCK\n`
+    return base
+      ? `DATA_BLOCK ${id} ${base}\nBEGIN\nEND_DATA_BLOCK\n`
       : `DATA_BLOCK ${id}\n${structure}BEGIN\nEND_DATA_BLOCK\n`;
-  const sections = kind === 'FB' ? 'VAR_INPUT\nEND_VAR\n' : '';
+  const sections = kind === 'FB' ? 'VAR_INPUT\nEND_VAR\n' : start;
   return code(kind === 'FC' ? `${keyword} ${id} : VOID` : `${keyword} ${id}`, `END_${keyword}`, sections);
 }
