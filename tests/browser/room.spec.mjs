@@ -1,9 +1,11 @@
 // How much of the program is in sight, and that nothing pushes its text: edges, folding parts, the program alone.
 import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { toLine } from './editor.mjs';
-import { expect, leave, open, quiet, serve, turn, until, visit } from './harness.mjs';
+import { expect, launch, leave, open, quiet, serve, turn, until, visit, write } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const server = await serve('sorting-plant');
@@ -11,12 +13,15 @@ const page = await open(server, 'program?file=sorting.awl');
 const edge = (name) => page.getByRole('separator', { name });
 const button = (name) => page.getByRole('button', { name, exact: true });
 /** Lines of the text that can be read from top to bottom. */
-const lines = () => page.locator('.code .cm-scroller').evaluate((scroller) => {
+const numbers = (look = page) => look.locator('.code .cm-scroller').evaluate((scroller) => {
   const head = scroller.parentElement.querySelector('.cm-panels-top, .cm-status-head')?.getBoundingClientRect().bottom ?? 0;
   const { top, bottom } = scroller.getBoundingClientRect();
-  const numbers = [...scroller.querySelectorAll('.cm-lineNumbers .cm-gutterElement')].map((one) => one.getBoundingClientRect());
-  return numbers.filter((one) => one.height > 0 && one.top >= Math.max(top, head) - 1 && one.bottom <= bottom + 1).length;
+  return [...scroller.querySelectorAll('.cm-lineNumbers .cm-gutterElement')].flatMap((one) => {
+    const line = one.getBoundingClientRect();
+    return line.height > 0 && line.top >= Math.max(top, head) - 1 && line.bottom <= bottom + 1 ? [Number(one.innerText)] : [];
+  });
 });
+const lines = async () => (await numbers()).length;
 const top = () => page.locator('.code').evaluate((code) => Math.round(code.getBoundingClientRect().top));
 const height = (selector) => page.locator(selector).first().evaluate((one) => Math.round(one.getBoundingClientRect().height));
 const roomy = async () => {
@@ -47,6 +52,64 @@ test('26 lines of program with status at 1280x800, 18 at 1024x768', async () => 
   assert.equal(await top(), before);
   await page.keyboard.press('Control+z');
   await expect(() => page.locator('.note').count(), 0, 'notes');
+});
+
+/** FC 1 stops the CPU in line 86, OB 1 begins in line 130. */
+const FAULTY = `FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+${'      U     E 0.0;\n'.repeat(80)}
+      L     MW 20;
+      BTI   ;
+${'      U     E 0.0;\n'.repeat(40)}
+END_FUNCTION
+
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FC 1;
+END_ORGANIZATION_BLOCK
+`;
+
+test('26 lines after a STOP as well: its bar is one line, also with a note; a chosen block stands at the top', async () => {
+  const folder = join(server.workspace, 'faulty');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[project]\nname = "Faulty"\n');
+  writeFileSync(join(folder, 'main.awl'), FAULTY);
+  const look = await open(await launch(folder, server.workspace), 'program?file=main.awl');
+  await turn(look, 'RUN-P');
+  await look.getByRole('switch', { name: 'Status' }).click();
+  await write(look, { 'MW 20': 'W#16#FFFF' });
+  const bar = look.getByRole('status').filter({ hasText: 'STOP in FC 1, Zeile 86' });
+  await bar.waitFor();
+  const block = async (id, line) => {
+    await look.getByRole('treeitem', { name: new RegExp(`^${id}\\b`) }).click();
+    await expect(async () => (await numbers(look))[0], line, `the first line in sight of ${id}`);
+  };
+  const roomyBar = async (words) => {
+    for (const [width, height, wanted] of [[1280, 800, 26], [1024, 768, 18], [768, 1024, 18]]) {
+      await look.setViewportSize({ width, height });
+      await until(async () => (await bar.evaluate((one) => one.offsetHeight)) <= 26, `one line at ${width}`);
+      const end = words.includes('OB 1') ? 5 : wanted;
+      let seen;
+      await until(async () => (seen = (await numbers(look)).length) >= end, () => `${end} lines of ${words} at ${width}, seen ${seen}`);
+      await accessible(look, `STOP in ${words} at ${width}`);
+    }
+    await look.setViewportSize({ width: 1280, height: 800 });
+  };
+  await block('FC 1', 1);
+  await roomyBar('FC 1');
+  // What is cut off with dots is read in full by a screen reader, and under the pointer.
+  assert.match(await bar.innerText(), /AKKU1 0000FFFF[^]*STW/);
+  assert.match(await bar.getAttribute('title'), /AKKU1 0000FFFF\n[^]*STW/);
+  await block('OB 1', 130);
+  await until(async () => /nicht beobachtet oder nicht bearbeitet/.test(await bar.innerText()), 'why OB 1 has no status');
+  assert.equal(await look.locator('.note').count(), 0, 'a line of its own for the note');
+  await roomyBar('OB 1');
+  await bar.getByRole('button', { name: 'Zur Anweisung' }).click();
+  await until(async () => (await look.locator('.code .cm-activeLine').innerText()).includes('BTI'), 'the statement');
+  await expect(async () => (await numbers(look)).indexOf(86) > 8, true, 'the statement in the middle');
+  await expect(async () => (await numbers(look)).length, 26, 'whole lines');
 });
 
 test('above the networks nothing lies on anything, on a tablet as well', async () => {

@@ -18,6 +18,7 @@ import {
   highlightActiveLineGutter,
   keymap,
   lineNumbers,
+  scrollPastEnd,
   type KeyBinding,
   type ViewUpdate,
 } from '@codemirror/view';
@@ -111,11 +112,21 @@ export class CodeEditor {
     redo(this.view);
   }
 
-  goTo(line: number, column = 1): void {
+  /** `head`: what is read from there on stands at the top; the rest in the middle, below whole lines. */
+  goTo(line: number, column = 1, head = false): void {
     const { doc } = this.view.state;
     const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
     const anchor = Math.min(at.from + Math.max(column - 1, 0), at.to);
-    this.view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
+    const { defaultLineHeight, scrollDOM } = this.view;
+    const above = head ? 0 : Math.floor(scrollDOM.clientHeight / defaultLineHeight / 2);
+    const yMargin = above * defaultLineHeight + this.leading();
+    this.view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'start', yMargin }) });
+  }
+
+  /** Letters begin below the top of their line; that is what the view scrolls to. */
+  private leading(): number {
+    const letter = this.view.coordsAtPos(this.view.viewport.from);
+    return letter ? (this.view.defaultLineHeight - (letter.bottom - letter.top)) / 2 : 0;
   }
 
   line(): number {
@@ -197,6 +208,8 @@ export class CodeEditor {
       indentUnit.of('      '),
       search({ top: false }),
       highlightSelectionMatches(),
+      // So that the last block can stand at the top as well.
+      scrollPastEnd(),
       autocompletion({ override: [completionSource(this.hooks.catalogue)], icons: false }),
       supportFor(path, readOnly),
       this.display.of([]),

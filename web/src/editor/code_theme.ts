@@ -8,7 +8,8 @@ export const codeTheme = EditorView.theme({
   '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--raised)', fontSize: 'var(--text)' },
   '&.cm-focused': focus,
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '20px', overflowY: 'scroll' },
-  '.cm-content': { caretColor: 'var(--ink)', paddingBlock: 'var(--s1)' },
+  // All of its height is for whole lines.
+  '.cm-content': { caretColor: 'var(--ink)', paddingTop: '0' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)', borderLeftWidth: '2px' },
   '.cm-gutters': { backgroundColor: 'var(--plate)', color: 'var(--ink-soft)', borderRight: '1px solid var(--line)' },
   '.cm-gutters-after': { borderRight: '0', borderLeft: '1px solid var(--line-strong)' },
@@ -49,7 +50,7 @@ export const codeTheme = EditorView.theme({
     color: 'var(--ink-soft)',
     borderBottom: '1px solid var(--line-strong)',
     fontFamily: 'var(--mono)',
-    lineHeight: '24px',
+    lineHeight: '20px',
   },
   '.cm-status-row': { display: 'flex', gap: '1ch', padding: '0 var(--s2)' },
   '.cm-status-cell': { display: 'inline-block', textAlign: 'right', whiteSpace: 'pre', overflow: 'hidden' },

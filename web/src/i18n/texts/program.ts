@@ -84,8 +84,8 @@ export const program = {
     'The CPU stands still; this block has a status as soon as it is processed.',
   ],
   statusStopped: [
-    'Vor dem STOP wurde dieser Baustein nicht beobachtet oder nicht bearbeitet. Was seine Operanden jetzt haben, zeigt „Beobachten“.',
-    'Before the STOP this block was not monitored or not processed. “Monitor” shows what its operands have now.',
+    'Vor dem STOP nicht beobachtet oder nicht bearbeitet. Die Werte jetzt zeigt „Beobachten“.',
+    'Not monitored or not processed before the STOP. “Monitor” shows the values now.',
   ],
   statusNotRunning: ['Der Baustein wird nicht bearbeitet.', 'The block is not being processed.'],
   sideList: ['Liste der Bausteine und Dateien', 'List of blocks and files'],
