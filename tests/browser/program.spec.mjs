@@ -227,10 +227,32 @@ test('compare shows what differs between project and CPU, side by side (S7-MGR-1
   await picture(page, 'program-compare');
 });
 
+test('the comparison follows the block that is chosen, and what the CPU gets', async () => {
+  const heads = () => page.locator('#program-panel .heads').innerText();
+  const differences = () => page.locator('#program-panel [role=status]').innerText();
+  await block('FB 2').click();
+  await until(async () => /Projekt: FB 2\s+CPU: FB 2/.test(await heads()), heads);
+  await expect(differences, '0 Unterschiede');
+  // By keys, and by the cursor in the text as well.
+  await block('FB 1').focus();
+  await page.keyboard.press('Enter');
+  await until(async () => /Projekt: FB 1\s/.test(await heads()), heads);
+  await expect(differences, 'Unterschied 1 von 1');
+  await toLine(page, saved().split('\n').findIndex((line) => line.startsWith('FUNCTION_BLOCK "Slider"')) + 2);
+  await until(async () => /Projekt: FB 2\s/.test(await heads()), heads);
+  // Nobody looks while the drawer is folded; who asks opens it.
+  await button('Meldungen und Ergebnisse').click();
+  await block('FB 1').click();
+  await page.getByRole('toolbar', { name: 'FB 1' }).getByRole('button', { name: 'Vergleich' }).click();
+  await expect(() => page.locator('#program-panel').isVisible(), true, 'the drawer');
+  await until(async () => /Projekt: FB 1\s/.test(await heads()), heads);
+});
+
 test('one block is loaded alone (S7-EDIT-07)', async () => {
   await page.getByRole('button', { name: 'Baustein laden' }).click();
   await says('Programm geladen.');
   await until(async () => (await block('FB 1').innerText()).includes('='), 'the same again');
+  await expect(() => page.locator('#program-panel [role=status]').innerText(), '0 Unterschiede', 'the comparison as well');
   await quiet(page);
 });
 

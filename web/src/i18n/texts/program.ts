@@ -135,8 +135,8 @@ export const program = {
   sourceText: ['Quelle', 'Source'],
   difference: ['Vergleich', 'Comparison'],
   differenceNone: [
-    'Ein Baustein, der in Projekt und CPU verschieden ist, wird hier verglichen.',
-    'A block that differs between project and CPU is compared here.',
+    'Hier steht der gewählte Baustein des Projekts neben dem der CPU.',
+    'Here the chosen block of the project stands beside that of the CPU.',
   ],
   compareProject: ['Projekt', 'Project'],
   compareCpu: ['CPU', 'CPU'],
