@@ -62,6 +62,11 @@ export class WatchList {
       });
   }
 
+  /** Whether the server has said of each item what it is. */
+  get complete(): boolean {
+    return this.items.every((item) => item.sent || item.problem);
+  }
+
   drop(): void {
     this.kept?.drop();
     this.kept = null;
