@@ -177,3 +177,90 @@ test('a number is never cut; one that is refused is marked', async () => {
   await field.press('Enter');
   await expect(() => field.getAttribute('aria-invalid'), null);
 });
+
+/** Lamps in a picture that is edited; what the file has of each: x,y. */
+async function lamps(...places) {
+  writeFileSync(join(project, 'Presse.hmi'), places.map(([x, y]) => `lamp ; ${x} ; ${y} ; 40 ; 40 ; A 0.0\n`).join(''));
+  await until(async () => (await item('lamp').count()) === places.length && (await item('number').count()) === 0, 'the lamps');
+}
+const placesOf = () => [...file().matchAll(/^lamp ; (\d+) ; (\d+)/gm)].map(([, x, y]) => `${x},${y}`).join(' ');
+const chosen = () => page.locator('.grip[aria-pressed="true"]').count();
+const lamp = (index) => grip('lamp').nth(index);
+const properties = page.getByRole('region', { name: 'Eigenschaften' });
+
+test('several symbols are chosen, moved, aligned, copied and deleted with the keyboard', async () => {
+  await lamps([100, 100], [200, 150], [300, 300]);
+  await lamp(0).focus();
+  await page.keyboard.press('Space');
+  await page.keyboard.press('Tab');
+  await expect(chosen, 1, 'the first one stays chosen');
+  await page.keyboard.press('Space');
+  await expect(chosen, 2);
+  await properties.getByRole('heading', { name: '2 Symbole' }).waitFor();
+  await page.keyboard.press('ArrowRight');
+  await expect(placesOf, '110,100 210,150 300,300');
+  await page.keyboard.press('Control+z');
+  await expect(placesOf, '100,100 200,150 300,300');
+  await accessible(page, 'two symbols chosen');
+  await properties.getByRole('button', { name: 'Oben ausrichten' }).press('Enter');
+  await expect(placesOf, '100,100 200,100 300,300');
+  await properties.getByRole('button', { name: 'Links ausrichten' }).press('Enter');
+  await expect(placesOf, '100,100 100,100 300,300');
+  await page.keyboard.press('Control+z');
+  await lamp(1).focus();
+  await expect(chosen, 2, 'the focus chooses nothing else');
+  await page.keyboard.press('Control+c');
+  await page.keyboard.press('Control+v');
+  await expect(placesOf, '100,100 200,100 300,300 120,120 220,120');
+  await expect(chosen, 2);
+  await page.keyboard.press('ArrowDown');
+  await expect(placesOf, '100,100 200,100 300,300 120,130 220,130');
+  await page.keyboard.press('Delete');
+  await expect(placesOf, '100,100 200,100 300,300');
+  await page.keyboard.press('Control+a');
+  await expect(chosen, 3);
+  await page.keyboard.press('Escape');
+  await expect(chosen, 1);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Delete');
+  await expect(placesOf, '');
+  await page.keyboard.press('Control+z');
+  await expect(placesOf, '100,100 200,100 300,300');
+});
+
+test('with the mouse: Ctrl and Shift click, a frame, all of them dragged', async () => {
+  await lamps([100, 100], [200, 150], [600, 300]);
+  const stage = await page.getByRole('group', { name: 'Bild' }).boundingBox();
+  const scale = stage.width / 960;
+  const at = (x, y) => [stage.x + x * scale, stage.y + y * scale];
+  const drag = async (from, to) => {
+    await page.mouse.move(...at(...from));
+    await page.mouse.down();
+    await page.mouse.move(...at(...to), { steps: 4 });
+    await page.mouse.up();
+  };
+  await lamp(0).click();
+  await expect(chosen, 1);
+  await lamp(2).click({ modifiers: ['Control'] });
+  await lamp(1).click({ modifiers: ['Shift'] });
+  await expect(chosen, 3);
+  await lamp(2).click({ modifiers: ['Control'] });
+  await expect(chosen, 2);
+  await drag([120, 120], [160, 150]);
+  await expect(placesOf, '140,130 240,180 600,300');
+  await expect(chosen, 2);
+  await lamp(1).click();
+  await expect(chosen, 1, 'a click chooses one');
+  await drag([700, 400], [220, 160]);
+  await expect(chosen, 2, 'those in the frame');
+  await drag([20, 20], [30, 30]);
+  await expect(chosen, 0, 'beside all symbols');
+  await drag([20, 20], [300, 240]);
+  await expect(async () => (await properties.getByRole('heading').innerText()), '2 Symbole');
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await accessible(page, `two symbols, ${width}`);
+    let found;
+    await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
+  }
+});

@@ -1,7 +1,6 @@
 import { expect, test } from 'vitest';
 import {
   constantOf,
-  copied,
   declared,
   fresh,
   HEIGHT,
@@ -63,7 +62,6 @@ test('comments and lines that are no symbol stay where they are', () => {
     '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n// Line 1\n\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\nwheel ; 3\n// end\n';
   const { items, end } = parsePicture(text);
   expect(printPicture(items, end)).toBe(text);
-  expect(copied(items[0]!)).toEqual({ ...lamp, x: 220, y: 40 });
 });
 
 test('an operator types what the number shows', () => {

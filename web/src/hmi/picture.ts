@@ -5,7 +5,7 @@ export const WIDTH = 960;
 export const HEIGHT = 540;
 /** Symbols stand on this grid. */
 export const GRID = 10;
-const MOST = 500;
+export const MOST = 500;
 
 export const kinds = ['tank', 'motor', 'valve', 'belt', 'lamp', 'button', 'number', 'bar', 'text'] as const;
 export type Kind = (typeof kinds)[number];
@@ -40,8 +40,8 @@ const sizes: Record<Kind, readonly [width: number, height: number]> = {
 const HEAD = '// kind ; x ; y ; width ; height ; operand ; text ; from ; to';
 export const hasLevel = (kind: Kind): boolean => kind === 'tank' || kind === 'bar';
 
-const onGrid = (value: number): number => Math.round(value / GRID) * GRID;
-const within = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
+export const onGrid = (value: number): number => Math.round(value / GRID) * GRID;
+export const within = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
 
 /** On the grid and in the picture, whatever was asked for. */
 export function placed(item: Item): Item {
@@ -166,10 +166,6 @@ export function constantOf(typed: string, shown: string, type: string): { value:
   const prefix = /^[A-Z0-9]+#(?!16#)/i.exec(shown)?.[0] ?? '';
   return { value: value.includes('#') ? value : prefix + value, format: 'AUTO' };
 }
-
-/** A copy beside the original; what is said about that one stays there. */
-export const copied = ({ above: _, ...item }: Item): Item =>
-  placed({ ...item, x: item.x + 2 * GRID, y: item.y + 2 * GRID });
 
 /** A path for a picture that a user named. */
 export function picturePath(name: string): string {

@@ -147,6 +147,10 @@ export const help: Record<string, readonly Text[]> = {
       '„Bearbeiten“: ein Symbol einfügen, ziehen oder mit den Pfeiltasten schieben, mit ⇧ die Größe ändern, Entf löscht.',
       '“Edit”: insert a symbol, drag it or move it with the arrow keys, with ⇧ change its size, Del deletes.',
     ],
+    [
+      'Mehrere Symbole: Strg- oder ⇧-Klick, ein Rahmen mit der Maus, Strg A; mit der Tastatur hält die Leertaste eines fest, Tab geht weiter, Esc wählt wieder nur eines. Sie werden zusammen verschoben, ausgerichtet, kopiert, gelöscht.',
+      'Several symbols: Ctrl or ⇧ click, a frame drawn with the mouse, Ctrl A; with the keyboard the space bar keeps one, Tab goes on, Esc chooses only one again. They are moved, aligned, copied and deleted together.',
+    ],
     ['Jede Änderung steht sofort in der Datei des Bildes.', 'Each change is in the file of the picture at once.'],
   ],
   compare: [
