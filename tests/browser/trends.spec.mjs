@@ -1,9 +1,10 @@
 // Curves over virtual time: record, values, pause, zoom, export.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, open, picture, serve, turn, until } from './harness.mjs';
+import { expect, launch, open, picture, serve, turn, until, write } from './harness.mjs';
 
 const server = await serve();
 const page = await open(server, 'trends', { language: 'en' });
@@ -89,4 +90,36 @@ test('the choice of curves outlives a reload', async () => {
   await page.reload();
   await expect(() => page.locator('li[data-curve]').count(), 4);
   await until(async () => (await fact('rows')) > 5, 'samples again');
+});
+
+test('on a German page numbers have a comma, and a curve keeps the name that it was given', async () => {
+  const folder = join(server.workspace, 'level');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[project]\nname = "Level"\n');
+  writeFileSync(join(folder, 'main.awl'), `DATA_BLOCK DB 1
+STRUCT
+  N : WORD ;
+  R : REAL ;
+  B : BOOL ;
+END_STRUCT ;
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      NOP   0;
+END_ORGANIZATION_BLOCK
+`);
+  const german = await open(await launch(folder, server.workspace), 'trends');
+  await turn(german, 'RUN-P');
+  await write(german, { 'DB1.R': '21.5' });
+  const box = german.getByRole('combobox', { name: /Operand/ });
+  for (const operand of ['DB1.R', 'DB1.B']) {
+    await box.fill(operand);
+    await german.keyboard.press('Enter');
+  }
+  const row = german.locator("li[data-curve='DB1.R']");
+  await expect(() => row.locator('output').innerText(), '21,500');
+  await expect(async () => (await row.locator('.names').innerText()).replace(/\s+/g, ' '), 'DB1.R DB1.DBD 2');
+  await accessible(german, 'German curves');
 });

@@ -8,9 +8,11 @@ export { described, figure, said, told } from './said';
 export type Text = readonly [german: string, english: string];
 export type Texts = Record<string, Text>;
 
-/** A number in a sentence: 0,5 in German. Values of the PLC keep the point that its programs have. */
-export const decimal = (value: number, digits: number): string =>
-  language.value === 'de' ? value.toFixed(digits).replace('.', ',') : value.toFixed(digits);
+/** 0,5 in German. */
+export const inNumbers = (text: string): string => (language.value === 'de' ? text.replace('.', ',') : text);
+
+/** A number in a sentence. Values of the PLC as its programs write them (2.15e+001) keep their point. */
+export const decimal = (value: number, digits: number): string => inNumbers(value.toFixed(digits));
 
 export const filled = (text: string, values: Record<string, string | number>): string =>
   text.replace(/\{(\w+)(?:\|([^|}]*)\|([^|}]*))?\}/g, (whole, name: string, one?: string, many?: string) =>

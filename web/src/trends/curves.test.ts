@@ -1,5 +1,17 @@
 import { expect, test } from 'vitest';
-import { append, csv, laned, laneShare, scaleOf, shownValue, type Columns, type Curve } from './curves';
+import { language } from '../i18n';
+import {
+  append,
+  csv,
+  laned,
+  laneShare,
+  namesOf,
+  scaleOf,
+  shownValue,
+  titleOf,
+  type Columns,
+  type Curve,
+} from './curves';
 
 const curve = (operand: string, bits: number, unit = ''): Curve => ({
   operand,
@@ -72,4 +84,20 @@ test('values are short', () => {
   expect(shownValue(curve('a', 0, 'degC'), 20.123456)).toBe('20.123 °C');
   expect(shownValue(curve('a', 1), 1)).toBe('1');
   expect(shownValue(curve('a', 1), null)).toBe('–');
+  language.value = 'de';
+  expect(shownValue(curve('a', 32), 21.5)).toBe('21,500');
+  language.value = 'en';
+});
+
+test('a curve keeps the name that the user gave it, with its other ones below', () => {
+  const names = (operand: string, address: string, symbol = '') => {
+    const { name, others } = namesOf({ ...curve(operand, 32), address, symbol });
+    return [name, ...others].join(' | ');
+  };
+  expect(names('DB1.R', 'DB1.DBD 14')).toBe('DB1.R | DB1.DBD 14');
+  expect(names('"Level"', 'MW 10', 'Level')).toBe('"Level" | MW 10');
+  expect(names('mw10', 'MW 10', 'Level')).toBe('MW 10 | Level');
+  expect(names('plant.Belt.SPEED', 'plant.Belt.SPEED')).toBe('plant.Belt.SPEED');
+  expect(names('E 0.0', 'E 0.0')).toBe('I 0.0');
+  expect(titleOf({ ...curve('DB1.R', 32), address: 'DB1.DBD 14' })).toBe('DB1.R');
 });

@@ -1,4 +1,5 @@
 import type { Problem } from '../connection';
+import { inNumbers, operandText } from '../i18n';
 
 /** One curve as the server describes it. */
 export interface Curve {
@@ -44,6 +45,19 @@ export function laned(columns: Columns, curves: Curve[]): Columns {
   return [columns[0], ...values] as Columns;
 }
 
+const plain = (name: string): string => name.replace(/[\s"]/g, '').toUpperCase();
+
+/** What the user called it, and what it is called otherwise. */
+export function namesOf({ operand, address, symbol }: Curve): { name: string; others: string[] } {
+  const shown = operandText(address);
+  // "mw10" is written as the PLC writes it.
+  const name = [shown, address].some((one) => plain(one) === plain(operand)) ? shown : operand;
+  return { name, others: [shown, symbol].filter((one) => one !== '' && plain(one) !== plain(name)) };
+}
+
+/** In a lane or at a column there is room for one name. */
+export const titleOf = (curve: Curve): string => curve.symbol || namesOf(curve).name;
+
 /** Curves of one unit share an axis. */
 export const scaleOf = (curve: Curve) => (curve.bits === 1 ? 'bits' : `unit ${curve.unit}`);
 
@@ -75,6 +89,6 @@ export function csv(columns: Columns, curves: Curve[], from: number, to: number,
 /** As short as it is exact enough to read. */
 export function shownValue(curve: Curve, value: number | null | undefined): string {
   if (value === null || value === undefined) return '–';
-  const text = Number.isInteger(value) ? String(value) : value.toPrecision(5);
+  const text = inNumbers(Number.isInteger(value) ? String(value) : value.toPrecision(5));
   return curve.unit ? `${text} ${curve.unit === 'degC' ? '°C' : curve.unit}` : text;
 }

@@ -1,4 +1,4 @@
-import { shownValue, type Curve } from './curves';
+import { namesOf, shownValue, type Curve } from './curves';
 import { colour, tokenOf } from './look';
 
 /** Gives the user a file. */
@@ -28,8 +28,8 @@ export function picture(chart: HTMLCanvasElement, curves: Curve[], values: (numb
     pen.fillStyle = colour(tokenOf(index));
     pen.fillRect(margin, y - 2 * scale, 20 * scale, 4 * scale);
     pen.fillStyle = colour('--ink');
-    const name = [curve.address, curve.symbol].filter(Boolean).join('  ');
-    pen.fillText(`${name}   ${shownValue(curve, values[index])}`, margin + 30 * scale, y);
+    const { name, others } = namesOf(curve);
+    pen.fillText(`${[name, ...others].join('  ')}   ${shownValue(curve, values[index])}`, margin + 30 * scale, y);
   });
   pen.drawImage(chart, margin, margin + curves.length * line);
   return new Promise((done) => canvas.toBlob(done, 'image/png'));

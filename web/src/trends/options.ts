@@ -1,5 +1,6 @@
 import type uPlot from 'uplot';
-import { laneShare, scaleOf, type Curve } from './curves';
+import { laneShare, scaleOf, titleOf, type Curve } from './curves';
+import { inNumbers } from '../i18n';
 import { colour, dashOf, tokenOf } from './look';
 
 const FONT = '12px "Liberation Mono", "DejaVu Sans Mono", monospace';
@@ -37,13 +38,14 @@ function numberTexts(share: number, unit: string): uPlot.Axis.Values {
   return (plot, splits) => {
     const { min = 0, max = 1 } = plot.scales[unit] ?? {};
     const digits = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10((max! - min!) / 5 || 1))));
-    return splits.map((value) => (value < min! + share * (max! - min!) ? '' : String(Number(value.toFixed(digits)))));
+    const text = (value: number) => inNumbers(String(Number(value.toFixed(digits))));
+    return splits.map((value) => (value < min! + share * (max! - min!) ? '' : text(value)));
   };
 }
 
 /** The names of the bits stand in their lanes, and a line above these. */
 function nameLanes(curves: Curve[]): (plot: uPlot) => void {
-  const names = curves.filter((curve) => curve.bits === 1).map((curve) => curve.symbol || curve.address);
+  const names = curves.filter((curve) => curve.bits === 1).map(titleOf);
   return (plot) => {
     const { ctx, bbox } = plot;
     ctx.save();
@@ -96,7 +98,7 @@ export function chartOptions(curves: Curve[], width: number, height: number): uP
 
 function series(curve: Curve, index: number): uPlot.Series {
   return {
-    label: curve.symbol || curve.address,
+    label: titleOf(curve),
     scale: scaleOf(curve),
     stroke: () => colour(tokenOf(index)),
     width: 1.75,
