@@ -42,7 +42,11 @@ test('a name that is taken is refused, and the file stays', async () => {
   await page.getByRole('button', { name: 'Datei umbenennen' }).click();
   await page.getByLabel('Dateiname').fill('main.awl');
   await page.getByRole('dialog').getByRole('button', { name: 'Datei umbenennen' }).click();
-  await page.locator('.message').filter({ hasText: 'P1312' }).first().waitFor();
+  const refusal = page.getByRole('dialog').getByRole('alert');
+  await until(async () => /main\.awl[^]*P1312/.test(await refusal.innerText()), 'the reason in the dialog');
+  assert.equal(await page.locator('.messages .message.problem').count(), 0, 'below the view as well');
+  await refusal.getByRole('button', { name: 'Meldung schließen' }).click();
+  await expect(() => refusal.count(), 0, 'refusals');
   await page.getByRole('dialog').getByRole('button', { name: 'Abbrechen' }).click();
   assert.ok(existsSync(at('lib/antrieb.awl')));
 });

@@ -1,5 +1,6 @@
 export { default as Button } from './Button.svelte';
 export { default as Dialog } from './Dialog.svelte';
+export { default as MessageRow } from './MessageRow.svelte';
 export { default as Paper } from './Paper.svelte';
 export { default as Led } from './Led.svelte';
 export { default as Print } from './Print.svelte';
