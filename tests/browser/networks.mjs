@@ -13,7 +13,8 @@ export function networksOf(page) {
   const field = () => page.getByRole('combobox').and(page.locator('.networks input'));
   const elements = (number = 1) => network(number).getByRole('button').and(page.locator('[data-node]:not(.junction)'))
     .evaluateAll((all) => all.map((one) => one.getAttribute('aria-label')).join(' | '));
-  const statements = async () => (await text(page)).split('\n').filter((line) => line.endsWith(';')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
+  /** Without declarations. */
+  const statements = async () => (await text(page)).split('\n').filter((line) => line.endsWith(';') && !line.includes(' : ')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
   const inside = () => until(() => page.evaluate(() => document.activeElement?.closest('.networks') !== null), 'the keyboard in the networks');
   /** What has the keyboard. */
   const marked = (label) => expect(() => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.id), label);
