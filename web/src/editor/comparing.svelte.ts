@@ -16,11 +16,12 @@ export class Comparing {
   }
 
   /** As long as the calling component lives and while somebody looks: the block that is chosen, as project and CPU have it now. */
-  follow(looked: () => boolean, block: () => string, document: () => OpenDocument | null): void {
+  follow(now: () => { looked: boolean; block: string; document: OpenDocument | null }): void {
+    const wanted = $derived(now());
+    const id = $derived(wanted.looked ? wanted.block : undefined);
     $effect(() => {
       void [plc.files, plc.program];
-      const id = block();
-      if (looked()) untrack(() => void this.look(id, document()));
+      if (id !== undefined) untrack(() => void this.look(id, wanted.document));
     });
   }
 
