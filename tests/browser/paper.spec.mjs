@@ -129,7 +129,7 @@ test('reference data are papers of their own, beside the text or the drawing', a
   await page.locator('[data-byte]').first().waitFor();
   assert.match(await pressed(button, /^EB 0\s/m), /^Belegungsplan: Sorting plant\n[^]*Zeiten: [^]*Zähler: /);
   await choose('Programmstruktur');
-  assert.match(await pressed(button, /^FB 2\s/m), /^Programmstruktur: Sorting plant\n[^]*^OB 1\s/m);
+  assert.match(await pressed(button, /^FB 2, DB 11\s/m), /^Programmstruktur: Sorting plant\n[^]*^OB 1\s/m);
   await choose('Nicht verwendete Symbole');
   assert.match(await pressed(button, /Operanden ohne Symbol/), /^Nicht verwendete Symbole: Sorting plant\n/);
   // The command of the browser prints the text, and then the drawing, whatever the drawer has.
