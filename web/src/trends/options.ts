@@ -43,6 +43,10 @@ function numberTexts(share: number, unit: string): uPlot.Axis.Values {
   };
 }
 
+/** As wide as its longest number. A letter of the narrow script is 7.2 px wide. */
+export const axisSize = (_: uPlot, texts: (string | null)[] | null): number =>
+  Math.max(60, 16 + 7.3 * Math.max(0, ...(texts ?? []).map((text) => (text ?? '').length)));
+
 /** The names of the bits stand in their lanes, and a line above these. */
 function nameLanes(curves: Curve[]): (plot: uPlot) => void {
   const names = curves.filter((curve) => curve.bits === 1).map(titleOf);
@@ -76,7 +80,7 @@ export function chartOptions(curves: Curve[], width: number, height: number): uP
       ...axisLook(),
       scale: unit,
       side: index % 2 ? 1 : 3,
-      size: 60,
+      size: axisSize,
       values: numberTexts(share, unit),
       label: unit === 'unit ' ? undefined : unit.slice(5).replace('degC', '°C'),
       labelFont: FONT,
