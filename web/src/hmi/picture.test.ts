@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { language } from '../i18n';
 import {
   constantOf,
   declared,
@@ -99,7 +100,10 @@ test('levels and numbers', () => {
   expect(plainNumber('W#16#FFF9', 65529, 16)).toBe('-7');
   expect(plainNumber('DW#16#0000_0010', 16, 32)).toBe('16');
   expect(plainNumber('1.5', 1.5, 32)).toBe('1.5');
+  language.value = 'en';
   expect(plainNumber('2.150000e+001', 21.5, 32, 'REAL')).toBe('21.5');
+  language.value = 'de';
+  expect(plainNumber('2.150000e+001', 21.5, 32, 'REAL')).toBe('21,5');
   expect(declared('MD 20', '', 'DWORD')).toBe('');
   expect(declared('DB1.DBW 0', '', 'WORD')).toBe('');
   expect(declared('DB1.W', '', 'WORD')).toBe('WORD');

@@ -1,5 +1,6 @@
 // Pictures of a plant as text files of the project, one symbol a line: kind ; x ; y ; width ; height ; operand ; text ; from ; to
 // docs/formats/picture.md
+import { inNumbers } from '../i18n';
 
 export const WIDTH = 960;
 export const HEIGHT = 540;
@@ -146,11 +147,12 @@ export function signed(raw: number | null, bits: number, type: string): number |
 export const declared = (operand: string, symbol: string, type: string): string =>
   symbol === '' && /^(DB ?\d+\.)?[A-Z]+ ?\d+(\.\d)?$/i.test(operand.trim()) ? '' : type;
 
-/** Bit strings are hexadecimal elsewhere, a REAL has an exponent; on a picture people read numbers. Without a type: with sign. */
+/** Bit strings are hexadecimal elsewhere, a REAL has an exponent; on a picture people read numbers, with a comma in
+ * German. Without a type: with sign. */
 export function plainNumber(text: string, raw: number | null, bits: number, type = ''): string {
   if (raw === null) return text;
   if (/^D?[BW]#16#/i.test(text)) return String(signed(raw, bits, type));
-  return /^-?\d\.\d+e[+-]\d+$/i.test(text) ? String(Number(raw.toPrecision(7))) : text;
+  return /^-?\d\.\d+e[+-]\d+$/i.test(text) ? inNumbers(String(Number(raw.toPrecision(7)))) : text;
 }
 
 /** What an operator types, as a constant of the language: 21,5 and 21 for a REAL, 5s for a TIME, words for a STRING. */
