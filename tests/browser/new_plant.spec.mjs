@@ -42,7 +42,8 @@ test('the data block that a CALL names is offered as its instance', async () => 
   await page.getByText('SFB 44').first().waitFor();
   await page.getByRole('button', { name: 'New block' }).first().click();
   await dialog.getByLabel(/^Block, e/).fill('DB 20');
-  await expect(() => dialog.getByLabel(/^Instance of/).inputValue(), 'SFB 44');
+  await expect(() => dialog.getByLabel('Kind of data block').inputValue(), 'instance');
+  await expect(() => dialog.getByLabel('Function block').inputValue(), 'SFB 44');
   await dialog.getByRole('button', { name: 'Create' }).click();
   const made = join(project, 'db20.awl');
   await until(() => existsSync(made) && /DATA_BLOCK DB 20 SFB 44/.test(readFileSync(made, 'utf8')), 'the instance');
