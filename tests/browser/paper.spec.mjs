@@ -143,6 +143,7 @@ test('reference data are papers of their own, beside the text or the drawing', a
   await until(async () => (await paper.innerText()).includes('Operanden ohne Symbol'), 'the paper');
   assert.equal(await page.locator('.networks').isVisible(), false, 'the drawing');
   await page.emulateMedia({ media: null });
+  await expect(() => paper.count(), 0, 'printing is over');
   await page.emulateMedia({ media: 'print' });
   await expect(() => page.locator('.networks').isVisible(), true, 'the drawing');
   assert.equal(await paper.count(), 0);
