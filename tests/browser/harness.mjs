@@ -195,7 +195,8 @@ export async function picture(page, name) {
   const focused = await page.evaluateHandle(() => {
     for (const message of document.querySelectorAll('.message')) message.style.display = 'none';
     // The folder of a user, not the temporary one of the test.
-    for (const path of document.querySelectorAll('.folder .mono')) path.firstChild.data = path.textContent.replace(/^.*merker-browser-\w+/, '~/merker');
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (texts.nextNode()) texts.currentNode.data = texts.currentNode.data.replace(/\/\S*merker-browser-\w+/, '~/merker');
     let element = document.activeElement;
     while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
     element?.blur();
