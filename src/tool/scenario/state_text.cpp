@@ -10,8 +10,8 @@ using controller::Controller;
 using controller::Mode;
 
 std::string_view modeName(Mode mode) {
-  constexpr std::array<std::string_view, 4> kNames = {"STOP", "STARTUP", "RUN", "HALT"};
-  return kNames[static_cast<std::size_t>(mode)];
+  constexpr std::array<std::string_view, 4> kModes = {"STOP", "STARTUP", "RUN", "HALT"};
+  return kModes[static_cast<std::size_t>(mode)];
 }
 
 std::string stopText(const Controller& plc) {
