@@ -37,7 +37,7 @@ std::vector<BlockStructure> programStructure(const ProgramCode& program,
   std::vector<BlockStructure> list;
   for (const BlockCode& code : program.blocks()) {
     if (code.length() == 0) continue;
-    BlockStructure& row = list.emplace_back(code.id());
+    BlockStructure& row = list.emplace_back(BlockStructure{.id = code.id()});
     if (code.s7() != nullptr) row.local = localData(*code.s7());
     const auto& used = uses[row.id];
     row.uses.assign(used.begin(), used.end());
