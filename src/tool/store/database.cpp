@@ -125,18 +125,18 @@ void Database::protect(int columns) {
        {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_TRIGGER,
         SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML})
     sqlite3_db_config(handle, feature, 0, nullptr);
-  constexpr int kStatement = 10'000, kName = 100;
-  const std::array kOfForeignFiles{std::pair{SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024},
-                                   std::pair{SQLITE_LIMIT_SQL_LENGTH, kStatement + kName * columns},
-                                   std::pair{SQLITE_LIMIT_COLUMN, columns},
-                                   std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20},
-                                   std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
-                                   std::pair{SQLITE_LIMIT_ATTACHED, 0},
-                                   std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1},
-                                   std::pair{SQLITE_LIMIT_WORKER_THREADS, 0},
-                                   std::pair{SQLITE_LIMIT_VARIABLE_NUMBER, columns},
-                                   std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8}};
-  for (const auto& [limit, value] : kOfForeignFiles) sqlite3_limit(handle, limit, value);
+  constexpr int kStatement = 10'000, kPerColumn = 100;
+  const std::array kLimits{std::pair{SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024},
+                           std::pair{SQLITE_LIMIT_SQL_LENGTH, kStatement + kPerColumn * columns},
+                           std::pair{SQLITE_LIMIT_COLUMN, columns},
+                           std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20},
+                           std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
+                           std::pair{SQLITE_LIMIT_ATTACHED, 0},
+                           std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1},
+                           std::pair{SQLITE_LIMIT_WORKER_THREADS, 0},
+                           std::pair{SQLITE_LIMIT_VARIABLE_NUMBER, columns},
+                           std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8}};
+  for (const auto& [limit, value] : kLimits) sqlite3_limit(handle, limit, value);
   execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA mmap_size = 0");
 }
 
