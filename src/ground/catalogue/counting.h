@@ -20,6 +20,9 @@ struct CountingPins {
   CountingPin output;
 };
 
+// kHz: only with this maximum count edges and periods are measured (CNT-PARAM-16, -17, -19).
+inline constexpr std::uint32_t kMeasuringFrequency = 1;
+
 struct CountingType {
   std::string_view connector;                  // "X1", where all of them are
   std::span<const CountingPins> channels;      // 2, 3 or 4

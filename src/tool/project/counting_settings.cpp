@@ -18,7 +18,6 @@ using io::CountMode;
 
 constexpr std::int64_t kHighest = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
-constexpr std::uint32_t kMeasuringFrequency = 1;  // kHz: only then count edges and periods
 
 // A channel being read, with what its CPU can do.
 struct Reader {

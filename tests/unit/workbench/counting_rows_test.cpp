@@ -113,6 +113,25 @@ TEST(CountingRows, WhatHasNoMeaningAnyMoreLeavesTheFile) {
             withChannel("mode = \"once\"\nmax_frequency = \"5kHz\"\n"));
 }
 
+// What a mask offers can be set, beside the defaults of its mode; an interrupt has a need that is
+// told.
+TEST(CountingRows, EachChoiceOfEachMaskIsAccepted) {
+  Bench bench;
+  std::size_t set = 0;
+  for (const char* mode : {"none", "endless", "once", "periodic", "frequency", "pwm"}) {
+    const std::string begun = changed(bench, kPlainCpu, "mode", mode);
+    for (const auto& [key, row] : countingRowsOf(bench, begun)) {
+      if (row["kind"] != "choice") continue;
+      for (const Json& choice : row["choices"]) {
+        const std::string text = changed(bench, begun, key.c_str(), choice);
+        EXPECT_EQ(countingRowsOf(bench, text)[key]["value"], choice) << mode << " " << key;
+        ++set;
+      }
+    }
+  }
+  EXPECT_GT(set, 100u);
+}
+
 // S7-MGR-15
 TEST(CountingRows, AreComparedWithTheModule) {
   Bench bench(kProgram, withChannel("mode = \"periodic\"\noutput = \"pulse\"\n"));
