@@ -319,41 +319,4 @@ Value Builder::blockInfo(std::uint32_t number) {
   return withNumber(Opcode::BlockInfo, kNoValue, swapped_ ? number ^ 1 : number);
 }
 
-Value Builder::atTheEnd(Opcode code, std::uint32_t number) {
-  return append(
-      {.code = code, .number = number, .place = static_cast<std::uint32_t>(costSoFar_ + cost_)});
-}
-
-Value* Builder::known(Field field, std::uint32_t number) {
-  for (FieldValue& known : fields_)
-    if (known.field == field && known.number == number) return &known.value;
-  return nullptr;
-}
-
-Value Builder::field(Field field, std::uint32_t number) {
-  if (const Value* value = known(field, number)) return *value;
-  const Value value = append({.code = icode::isWord(field) ? Opcode::FieldWord : Opcode::FieldByte,
-                              .number = number,
-                              .place = static_cast<std::uint32_t>(field)});
-  fields_.push_back({field, number, value});
-  return value;
-}
-
-// Nobody but the region itself changes it before the region is left.
-void Builder::setField(Field field, std::uint32_t number, Value value) {
-  if (!icode::isNumber(field)) value = make(Opcode::ToWord, value);
-  Value* const before = known(field, number);
-  if (before != nullptr && *before == value) return;
-  append({.code = icode::isWord(field) ? Opcode::SetFieldWord : Opcode::SetFieldByte,
-          .a = value,
-          .number = number,
-          .place = static_cast<std::uint32_t>(field)});
-  if (icode::isNumber(field))
-    value = make(icode::isWord(field) ? Opcode::Zext16 : Opcode::Zext8, value);
-  if (before != nullptr)
-    *before = value;
-  else
-    fields_.push_back({field, number, value});
-}
-
 }  // namespace merker::icode

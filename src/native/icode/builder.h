@@ -108,11 +108,11 @@ class Builder {
   void giveBack(std::uint32_t front);
 
   // At the end of this instruction.
-  Value timerRuns(std::uint32_t number) { return atTheEnd(Opcode::TimerRuns, number); }
-  Value timerUnits(std::uint32_t number) { return atTheEnd(Opcode::TimerUnits, number); }
+  Value timerRuns(const Cell& timer);
+  Value timerUnits(std::uint32_t number);
   // Of timers and counters.
-  Value field(Field field, std::uint32_t number);
-  void setField(Field field, std::uint32_t number, Value value);
+  Value field(Field field, const Cell& cell);
+  void setField(Field field, const Cell& cell, Value value);
 
  private:
   struct Byte {
@@ -124,10 +124,11 @@ class Builder {
   };
   struct FieldValue {
     Field field;
-    std::uint32_t number;
+    Cell cell;
     Value value;
   };
-  Value* known(Field field, std::uint32_t number);
+  Value* known(Field field, const Cell& cell);
+  void forgetOthers(Field field, const Cell& cell);
   static std::size_t index(Item item) { return static_cast<std::size_t>(item); }
   std::optional<std::uint32_t> folded(Opcode code, Value a, Value b, std::uint32_t number) const;
   Value lowHalf(Value value) const;
@@ -137,7 +138,7 @@ class Builder {
   std::optional<Value> assigned(Value& byte, std::uint32_t number) const;
   Value loaded(unsigned bytes, Value value);
   Value append(Op op);
-  Value atTheEnd(Opcode code, std::uint32_t number);
+  std::uint32_t atTheEnd() const { return static_cast<std::uint32_t>(costSoFar_ + cost_); }
   Value base(Space space);
   void settle();
   void exchangeKnown();

@@ -81,6 +81,15 @@ constexpr bool isNumber(Field field) { return isWord(field) || field == Field::T
 using Value = std::uint32_t;  // number of the operation that makes it
 constexpr Value kNoValue = UINT32_MAX;
 
+// A timer or counter by its number, or by the value that is its number when the region runs; the
+// CPU has it.
+struct Cell {
+  std::uint32_t number = 0;
+  Value value = kNoValue;
+  bool isDirect() const { return value == kNoValue; }
+  bool operator==(const Cell&) const = default;
+};
+
 struct Op {
   Opcode code = Opcode::Constant;
   Space space = Space::Input;

@@ -18,11 +18,26 @@ int RegionCode::timerEnd(const Op& op) const {
   return static_cast<int>(op.number) * unit_.layout.timers.bytes + unit_.layout.timerEnd;
 }
 
+void RegionCode::runs(const Op& op, const host::Mem& end) {
+  code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
+  code_.cmp(host::rax, end);
+  flag(host::CondCode::kL);
+}
+
 void RegionCode::TimerRuns(const Op& op) {
   code_.mov(host::rcx, inState(unit_.layout.timers.first));
-  code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
-  code_.cmp(host::rax, host::qword_ptr(host::rcx, timerEnd(op)));
-  flag(host::CondCode::kL);
+  runs(op, host::qword_ptr(host::rcx, timerEnd(op)));
+}
+
+// Where it begins, to rcx.
+void RegionCode::loadCell(const Layout::Cells& cells, icode::Value number) {
+  code_.imul(host::ecx, places_.in(number, host::ecx), cells.bytes);
+  code_.add(host::rcx, inState(cells.first));
+}
+
+void RegionCode::TimerRunsOf(const Op& op) {
+  loadCell(unit_.layout.timers, op.a);
+  runs(op, host::qword_ptr(host::rcx, unit_.layout.timerEnd));
 }
 
 // Of what runs, in units, rounded up; otherwise what was left when it was stopped.
@@ -74,6 +89,29 @@ void RegionCode::SetFieldByte(const Op& op) {
 }
 void RegionCode::SetFieldWord(const Op& op) {
   const host::Mem to = field(op, 2);
+  code_.mov(to, places_.in(op.a, host::eax).r16());
+}
+
+host::Mem RegionCode::fieldOf(const Op& op, icode::Value number, std::uint32_t bytes) {
+  const auto which = static_cast<Field>(op.place);
+  loadCell(cells(which), number);
+  return {host::rcx, unit_.layout.fields[op.place], bytes};
+}
+
+void RegionCode::FieldByteOf(const Op& op) {
+  const host::Mem from = fieldOf(op, op.a, 1);
+  code_.movzx(places_.out(), from);
+}
+void RegionCode::FieldWordOf(const Op& op) {
+  const host::Mem from = fieldOf(op, op.a, 2);
+  code_.movzx(places_.out(), from);
+}
+void RegionCode::SetFieldByteOf(const Op& op) {
+  const host::Mem to = fieldOf(op, op.b, 1);
+  code_.mov(to, places_.in(op.a, host::eax).r8());
+}
+void RegionCode::SetFieldWordOf(const Op& op) {
+  const host::Mem to = fieldOf(op, op.b, 2);
   code_.mov(to, places_.in(op.a, host::eax).r16());
 }
 

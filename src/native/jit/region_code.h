@@ -101,7 +101,10 @@ class RegionCode {
   const Layout::Cells& cells(icode::Field field) const;
   int offsetOf(icode::Field field, const icode::Op& op) const;
   int timerEnd(const icode::Op& op) const;
+  void runs(const icode::Op& op, const host::Mem& end);
   host::Mem field(const icode::Op& op, std::uint32_t bytes);
+  void loadCell(const Layout::Cells& cells, icode::Value number);
+  host::Mem fieldOf(const icode::Op& op, icode::Value number, std::uint32_t bytes);
   void shiftBy(const icode::Op& op, std::uint32_t instruction);
   void loadBlock(const icode::Op& op, const asmjit::Label& out);
   void writeState(const icode::Exit& exit, const std::vector<StateSpot>& states,

@@ -120,7 +120,7 @@ bool assign(Lowering& l) {
 
 template <bool Set>
 bool setOrReset(Lowering& l) {
-  if (l.operand().kind == OperandKind::Counter || l.operand().kind == OperandKind::Timer)
+  if (isCounter(l.operand().kind) || isTimer(l.operand().kind))
     return Set ? setCounter(l) : resetTimerOrCounter(l);
   const auto place = bitPlace(l, true);
   if (!place) return false;
@@ -258,17 +258,14 @@ std::span<const Row> bitRows() { return kBitsRows; }
 std::optional<Value> readBit(Lowering& l) {
   const mc7::Operand& o = l.operand();
   icode::Builder& b = l.to;
-  switch (o.kind) {
-    case OperandKind::StatusBit:
-      return stateOf(b, static_cast<StatusQuery>(o.value));
-    case OperandKind::Timer:
-      if (o.value >= l.model.timers) return std::nullopt;
-      return timerStatus(l);
-    case OperandKind::Counter:
-      if (o.value >= l.model.counters) return std::nullopt;
-      return b.make(Opcode::NotEqual, b.field(icode::Field::CounterCount, o.value), b.constant(0));
-    default:
-      break;
+  if (o.kind == OperandKind::StatusBit) return stateOf(b, static_cast<StatusQuery>(o.value));
+  if (isTimer(o.kind)) {
+    const auto timer = timerOf(l);
+    return timer ? std::optional(timerStatus(l, *timer)) : std::nullopt;
+  }
+  if (isCounter(o.kind)) {
+    const auto counter = counterOf(l);
+    return counter ? std::optional(counterStatus(l, *counter)) : std::nullopt;
   }
   const auto place = bitPlace(l, false);
   if (!place) return std::nullopt;

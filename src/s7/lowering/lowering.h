@@ -80,9 +80,16 @@ std::span<const Row> callRows();
 std::span<const Row> timerRows();
 std::span<const Row> bcdRows();
 
+// The timer or counter of the operand, which the CPU has. Nothing: it is another operand, or this
+// number is not translated.
+std::optional<icode::Cell> timerOf(Lowering& l);
+std::optional<icode::Cell> counterOf(Lowering& l);
+bool isTimer(mc7::OperandKind kind);
+bool isCounter(mc7::OperandKind kind);
 // Instructions of timers and counters that share their mnemonic with others.
 bool loadTimerOrCounter(Lowering& l);
-icode::Value timerStatus(Lowering& l);
+icode::Value timerStatus(Lowering& l, const icode::Cell& timer);
+icode::Value counterStatus(Lowering& l, const icode::Cell& counter);
 bool resetTimerOrCounter(Lowering& l);
 bool setCounter(Lowering& l);
 

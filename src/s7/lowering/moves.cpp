@@ -25,7 +25,7 @@ bool load(Lowering& l) {
     push(l, l.to.blockInfo(o.value));
     return true;
   }
-  if (o.kind == OperandKind::Counter || o.kind == OperandKind::Timer) return loadTimerOrCounter(l);
+  if (isCounter(o.kind) || isTimer(o.kind)) return loadTimerOrCounter(l);
   if (o.width == Width::Bit) return false;
   const auto value = readOperand(l, o.width);
   if (value) push(l, *value);

@@ -1,10 +1,13 @@
 // Timers and counters (S7-INSTR-11, -26 … -37, -39; S7-TMR, S7-CNT). What begins or ends a time is
 // left to the interpreter; a start that changes nothing is most of what a program executes.
+#include <algorithm>
+
 #include "lowering/lowering.h"
 
 namespace merker::translate {
 namespace {
 
+using icode::Cell;
 using icode::Field;
 using icode::Item;
 using icode::Opcode;
@@ -18,24 +21,35 @@ void endChain(Lowering& l) {
   l.to.set(Item::Er, false);
 }
 
-bool isTimer(const Lowering& l) {
-  return l.operand().kind == OperandKind::Timer && l.operand().value < l.model.timers;
-}
-bool isCounter(const Lowering& l) {
-  return l.operand().kind == OperandKind::Counter && l.operand().value < l.model.counters;
+bool isAnyOf(OperandKind kind, const std::array<OperandKind, 3>& kinds) {
+  return std::ranges::find(kinds, kind) != kinds.end();
 }
 
-Value read(Lowering& l, Field field) { return l.to.field(field, l.operand().value); }
-void write(Lowering& l, Field field, Value value) {
-  l.to.setField(field, l.operand().value, value);
+constexpr std::array kTimers{OperandKind::Timer, OperandKind::TimerIndirect,
+                             OperandKind::TimerParameter};
+constexpr std::array kCounters{OperandKind::Counter, OperandKind::CounterIndirect,
+                               OperandKind::CounterParameter};
+
+// Known now, or guarded.
+std::optional<Cell> cellOf(Lowering& l, bool isDirect, unsigned count) {
+  auto number = isDirect ? std::optional(l.operand().value) : std::nullopt;
+  if (!isDirect) {
+    const auto value = numberOperand(l);
+    if (!value) return std::nullopt;
+    number = l.to.number(*value);
+    if (!number) {
+      l.to.guard(l.to.make(Opcode::Below, *value, l.to.constant(count)));
+      return Cell{.value = *value};
+    }
+  }
+  return *number < count ? std::optional(Cell{.number = *number}) : std::nullopt;
 }
 
 // Gives what the edge memory says, and keeps the RLO in it.
-Value rising(Lowering& l, Field memory) {
-  icode::Builder& b = l.to;
+Value rising(icode::Builder& b, Field memory, const Cell& cell) {
   const Value rlo = b.get(Item::Rlo);
-  const Value edge = b.andBit(rlo, b.notBit(read(l, memory)));
-  write(l, memory, rlo);
+  const Value edge = b.andBit(rlo, b.notBit(b.field(memory, cell)));
+  b.setField(memory, cell, rlo);
   return edge;
 }
 
@@ -49,16 +63,18 @@ Value zeroIf(Lowering& l, Value bit, Value word) {
 // an off-delay that is held a 0 starts the time.
 template <Kind K>
 bool start(Lowering& l) {
-  if (!isTimer(l)) return false;
+  const auto timer = timerOf(l);
+  if (!timer) return false;
   icode::Builder& b = l.to;
+  const auto read = [&](Field field) { return b.field(field, *timer); };
   const Value rlo = b.get(Item::Rlo);
-  b.guard(b.notBit(b.xorBit(rlo, read(l, Field::TimerStartEdge))));
+  b.guard(b.notBit(b.xorBit(rlo, read(Field::TimerStartEdge))));
   if constexpr (K == Kind::Pulse || K == Kind::OnDelay)
-    b.guard(b.orBit(rlo, b.notBit(read(l, Field::TimerStarted))));
+    b.guard(b.orBit(rlo, b.notBit(read(Field::TimerStarted))));
   if constexpr (K == Kind::OffDelay) {
-    b.guard(b.orBit(rlo, b.notBit(read(l, Field::TimerHeld))));
+    b.guard(b.orBit(rlo, b.notBit(read(Field::TimerHeld))));
     const Value same =
-        b.make(Opcode::Equal, read(l, Field::TimerKind), b.constant(static_cast<std::uint32_t>(K)));
+        b.make(Opcode::Equal, read(Field::TimerKind), b.constant(static_cast<std::uint32_t>(K)));
     b.guard(b.orBit(b.notBit(rlo), same));
   }
   endChain(l);
@@ -67,11 +83,15 @@ bool start(Lowering& l) {
 
 // S7-TMR-21, S7-CNT-13: the next start instruction with RLO 1 counts as an edge again.
 bool enable(Lowering& l) {
-  if (!isTimer(l) && !isCounter(l)) return false;
+  const bool timer = isTimer(l.operand().kind);
+  const auto cell = timer ? timerOf(l) : counterOf(l);
+  if (!cell) return false;
   icode::Builder& b = l.to;
-  const bool timer = isTimer(l);
-  const Value keep = b.notBit(rising(l, timer ? Field::TimerEnableEdge : Field::CounterEnableEdge));
-  const auto clear = [&](Field field) { write(l, field, b.andBit(read(l, field), keep)); };
+  const Field memory = timer ? Field::TimerEnableEdge : Field::CounterEnableEdge;
+  const Value keep = b.notBit(rising(b, memory, *cell));
+  const auto clear = [&](Field field) {
+    b.setField(field, *cell, b.andBit(b.field(field, *cell), keep));
+  };
   if (timer) {
     clear(Field::TimerStartEdge);
   } else {
@@ -86,35 +106,41 @@ bool enable(Lowering& l) {
 // S7-CNT-08, -09: stays at 999 and at 0.
 template <bool Up>
 bool step(Lowering& l) {
-  if (!isCounter(l)) return false;
+  const auto counter = counterOf(l);
+  if (!counter) return false;
   icode::Builder& b = l.to;
-  const Value edge = rising(l, Up ? Field::CounterUpEdge : Field::CounterDownEdge);
-  const Value count = read(l, Field::CounterCount);
+  const Value edge = rising(b, Up ? Field::CounterUpEdge : Field::CounterDownEdge, *counter);
+  const Value count = b.field(Field::CounterCount, *counter);
   const Value room = Up ? b.make(Opcode::Below, count, b.constant(999))
                         : b.make(Opcode::NotEqual, count, b.constant(0));
   const Value by = b.make(Opcode::ToWord, b.andBit(edge, room));
-  write(l, Field::CounterCount, b.make(Up ? Opcode::Add : Opcode::Sub, count, by));
+  b.setField(Field::CounterCount, *counter, b.make(Up ? Opcode::Add : Opcode::Sub, count, by));
   endChain(l);
   return true;
 }
 
-Value timerValue(Lowering& l, bool bcd) {
+Value timerValue(Lowering& l, std::uint32_t timer, bool bcd) {
   icode::Builder& b = l.to;
-  const Value units = b.timerUnits(l.operand().value);
+  const Value units = b.timerUnits(timer);
   if (!bcd) return units;
-  const Value base = b.withNumber(Opcode::Shl, read(l, Field::TimerBase), 12);
+  const Value base = b.withNumber(Opcode::Shl, b.field(Field::TimerBase, {timer}), 12);
   return b.make(Opcode::Or, base, toBcd(l, units, 3));
 }
 
+// Whoever loads a timer whose number is not in the instruction is noted by the interpreter
+// (cpu/outlook.h).
 template <bool Bcd>
 bool load(Lowering& l) {
-  if (!isTimer(l) && !isCounter(l)) return false;
+  const bool timer = l.operand().kind == OperandKind::Timer;
+  const auto cell = timer ? timerOf(l) : counterOf(l);
+  if (!cell) return false;
   icode::Builder& b = l.to;
   Value value = icode::kNoValue;
-  if (isTimer(l))
-    value = timerValue(l, Bcd);
+  if (timer)
+    value = timerValue(l, cell->number, Bcd);
   else
-    value = Bcd ? toBcd(l, read(l, Field::CounterCount), 3) : read(l, Field::CounterCount);
+    value = b.field(Field::CounterCount, *cell);
+  if (!timer && Bcd) value = toBcd(l, value, 3);
   b.set(Item::Accu2, b.get(Item::Accu1));
   b.set(Item::Accu1, value);
   return true;
@@ -134,30 +160,53 @@ constexpr Row kTimersRows[] = {{Operation::TIMER_SI, start<Kind::Pulse>},
 
 std::span<const Row> timerRows() { return kTimersRows; }
 
+bool isTimer(OperandKind kind) { return isAnyOf(kind, kTimers); }
+bool isCounter(OperandKind kind) { return isAnyOf(kind, kCounters); }
+
+std::optional<Cell> timerOf(Lowering& l) {
+  const OperandKind kind = l.operand().kind;
+  if (!isTimer(kind)) return std::nullopt;
+  return cellOf(l, kind == OperandKind::Timer, l.model.timers);
+}
+std::optional<Cell> counterOf(Lowering& l) {
+  const OperandKind kind = l.operand().kind;
+  if (!isCounter(kind)) return std::nullopt;
+  return cellOf(l, kind == OperandKind::Counter, l.model.counters);
+}
+
 // S7-TMR: started and not yet over, the delays started and over; SS and SA also while held. Only
 // the first of these changes between one turn of a loop and the next.
-Value timerStatus(Lowering& l) {
+Value timerStatus(Lowering& l, const Cell& timer) {
   icode::Builder& b = l.to;
+  const auto read = [&](Field field) { return b.field(field, timer); };
   const auto number = [&b](Kind kind) { return b.constant(static_cast<std::uint32_t>(kind)); };
   static_assert(Kind::StoredOnDelay > Kind::OnDelay && Kind::OffDelay > Kind::StoredOnDelay);
-  const Value kind = read(l, Field::TimerKind);
+  const Value kind = read(Field::TimerKind);
   const Value isDelay =
       b.make(Opcode::Below, b.make(Opcode::Sub, kind, number(Kind::OnDelay)), b.constant(2));
   const Value isStored = b.notBit(b.make(Opcode::Below, kind, number(Kind::StoredOnDelay)));
-  const Value over = b.xorBit(b.timerRuns(l.operand().value), isDelay);
-  return b.orBit(b.andBit(over, read(l, Field::TimerStarted)),
-                 b.andBit(isStored, read(l, Field::TimerHeld)));
+  const Value over = b.xorBit(b.timerRuns(timer), isDelay);
+  return b.orBit(b.andBit(over, read(Field::TimerStarted)),
+                 b.andBit(isStored, read(Field::TimerHeld)));
+}
+
+Value counterStatus(Lowering& l, const Cell& counter) {
+  return l.to.make(Opcode::NotEqual, l.to.field(Field::CounterCount, counter), l.to.constant(0));
 }
 
 bool loadTimerOrCounter(Lowering& l) { return load<false>(l); }
 
 // S7-TMR-06, S7-CNT-04: as long as RLO is 1.
 bool resetTimerOrCounter(Lowering& l) {
-  if (!isTimer(l) && !isCounter(l)) return false;
+  const bool timer = isTimer(l.operand().kind);
+  const auto cell = timer ? timerOf(l) : counterOf(l);
+  if (!cell) return false;
   icode::Builder& b = l.to;
   const Value rlo = b.get(Item::Rlo);
-  const auto clear = [&](Field field) { write(l, field, zeroIf(l, rlo, read(l, field))); };
-  if (isTimer(l)) {
+  const auto clear = [&](Field field) {
+    b.setField(field, *cell, zeroIf(l, rlo, b.field(field, *cell)));
+  };
+  if (timer) {
     for (const Field field :
          {Field::TimerStarted, Field::TimerHeld, Field::TimerFrozen, Field::TimerBase})
       clear(field);
@@ -170,16 +219,17 @@ bool resetTimerOrCounter(Lowering& l) {
 
 // S7-CNT-02, -03: the count from BCD, at an edge.
 bool setCounter(Lowering& l) {
-  if (!isCounter(l)) return false;
+  const auto counter = counterOf(l);
+  if (!counter) return false;
   icode::Builder& b = l.to;
   const Value rlo = b.get(Item::Rlo);
-  const Value quiet = b.orBit(b.notBit(rlo), read(l, Field::CounterSetEdge));
+  const Value quiet = b.orBit(b.notBit(rlo), b.field(Field::CounterSetEdge, *counter));
   const Value bcd = b.make(Opcode::And, b.get(Item::Accu1), b.constant(0xFFF));
   b.guard(b.orBit(quiet, isBcd(l, bcd)));
-  const Value edge = rising(l, Field::CounterSetEdge);
-  const Value kept = zeroIf(l, edge, read(l, Field::CounterCount));
+  const Value edge = rising(b, Field::CounterSetEdge, *counter);
+  const Value kept = zeroIf(l, edge, b.field(Field::CounterCount, *counter));
   const Value set = zeroIf(l, b.notBit(edge), fromBcd(l, bcd, 3));
-  write(l, Field::CounterCount, b.make(Opcode::Or, kept, set));
+  b.setField(Field::CounterCount, *counter, b.make(Opcode::Or, kept, set));
   endChain(l);
   return true;
 }

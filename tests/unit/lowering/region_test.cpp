@@ -158,20 +158,11 @@ std::string untranslated(const CpuModel& model) {
 }
 
 TEST(Region, EveryRowHasATranslationBut) {
-  // Brackets alone; timers and counters whose number is not in the code, on their own; what the
-  // host would round otherwise; MCR; system functions without parameters.
+  // Brackets alone; the time of a timer whose number is not in the code, for the interpreter notes
+  // who loads it; what the host would round otherwise; MCR; system functions without parameters.
   const std::string left =
-      "U(; O(; UN(; ON(; X(; XN(; ); U     T [MW 0]; UN    T [MW 0]; O     T [MW 0]; "
-      "ON    T [MW 0]; X     T [MW 0]; XN    T [MW 0]; L     T [MW 0]; FR    T [MW 0]; "
-      "LC    T [MW 0]; SA    T [MW 0]; SV    T [MW 0]; SE    T [MW 0]; SS    T [MW 0]; "
-      "SI    T [MW 0]; R     T [MW 0]; U     T #P0; UN    T #P0; O     T #P0; ON    T #P0; "
-      "X     T #P0; XN    T #P0; L     T #P0; FR    T #P0; LC    T #P0; SA    T #P0; "
-      "SV    T #P0; SE    T #P0; SS    T #P0; SI    T #P0; R     T #P0; U     Z [MW 0]; "
-      "UN    Z [MW 0]; O     Z [MW 0]; ON    Z [MW 0]; X     Z [MW 0]; XN    Z [MW 0]; "
-      "L     Z [MW 0]; FR    Z [MW 0]; LC    Z [MW 0]; ZR    Z [MW 0]; S     Z [MW 0]; "
-      "ZV    Z [MW 0]; R     Z [MW 0]; U     Z #P0; UN    Z #P0; O     Z #P0; ON    Z #P0; "
-      "X     Z #P0; XN    Z #P0; L     Z #P0; FR    Z #P0; LC    Z #P0; ZR    Z #P0; "
-      "S     Z #P0; ZV    Z #P0; R     Z #P0; L     P##P0; L     P##P0; EXP; LN; SIN; COS; "
+      "U(; O(; UN(; ON(; X(; XN(; ); L     T [MW 0]; LC    T [MW 0]; L     T #P0; LC    T #P0; "
+      "L     P##P0; L     P##P0; EXP; LN; SIN; COS; "
       "TAN; ASIN; ACOS; ATAN; MCRA; MCRD; MCR(; )MCR; UC    SFC 1; UC    SFB 1; ";
   EXPECT_EQ(untranslated(*findCpuModel("generic-4")), left);
   std::string withTwo = left;  // ENT and LEAVE need four accumulators
