@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "plant/repeated_sum.h"
+
 namespace merker::plant {
 namespace {
 
@@ -78,17 +80,9 @@ std::int64_t Belt::freeSteps(double stroke, const std::array<bool, kSliders>& ou
   return static_cast<std::int64_t>(std::max(steps, 0.0));
 }
 
-// Each step is added by itself: floating point comes to the same sum. The places of all boxes stay
-// in registers meanwhile.
 void Belt::carryFreely(double way, std::int64_t count) {
-  std::array<double, kBoxes> fronts{}, ways{};
-  for (std::size_t i = 0; i < kBoxes; ++i) {
-    fronts[i] = boxes_[i].front;
-    ways[i] = onBelt(boxes_[i]) ? way : 0;
-  }
-  for (; count > 0; --count)
-    for (std::size_t i = 0; i < kBoxes; ++i) fronts[i] += ways[i];
-  for (std::size_t i = 0; i < kBoxes; ++i) boxes_[i].front = fronts[i];
+  for (Box& box : boxes_)
+    if (onBelt(box)) box.front = addRepeatedly(box.front, way, count);
 }
 
 void Belt::moveSliders(double stroke, const std::array<bool, kSliders>& out, std::int64_t count) {
@@ -157,21 +151,24 @@ double Belt::obstacle(const Box& box) const {
   return nearest;
 }
 
-// A slider that comes to the boxes takes them off the belt; a box that stands in the way of another
-// only makes it later.
-double Belt::silence(double metresPerSecond, const std::array<bool, kSliders>& out) const {
+// A box that stands in the way of another only makes it later; sliders take boxes far behind the
+// barriers.
+double Belt::silence(double metresPerSecond) const {
+  static_assert(kPlaces[0] - kPlate > kLength);
   double seconds = std::numeric_limits<double>::infinity();
-  const auto within = [&](double way, double speed) {
-    if (way >= 0 && speed > 0) seconds = std::min(seconds, way / speed);
+  const auto within = [&](double way) {
+    if (way >= 0 && metresPerSecond > 0) seconds = std::min(seconds, way / metresPerSecond);
   };
-  for (std::size_t i = 0; i < kSliders; ++i)
-    if (out[i] && strokes_[i] < kHalfOut) within(kHalfOut - strokes_[i], 1 / kStrokeTime);
   for (const Box& box : boxes_) {
     if (!onBelt(box)) continue;
-    within(-box.front, metresPerSecond);
-    within(kLength - box.front, metresPerSecond);
+    within(-box.front);
+    within(kLength - box.front);
   }
   return metresPerSecond < 0 ? 0 : seconds;
+}
+
+double Belt::timeToBarriers(double metresPerSecond) {
+  return metresPerSecond > 0 ? -kStart / metresPerSecond : std::numeric_limits<double>::infinity();
 }
 
 bool Belt::interrupted(BoxSize from) const {

@@ -37,7 +37,9 @@ class Belt {
             std::int64_t count);
 
   // Not before so many seconds does a barrier change, at this speed of the belt.
-  double silence(double metresPerSecond, const std::array<bool, kSliders>& out) const;
+  double silence(double metresPerSecond) const;
+  // Of a box that is put on it.
+  static double timeToBarriers(double metresPerSecond);
 
   bool interrupted(BoxSize from) const;  // the barrier that boxes of this size reach
   const std::array<Box, kBoxes>& boxes() const { return boxes_; }

@@ -10,7 +10,8 @@ namespace merker::plant {
 
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
 // s: on either side of a switch a value may have come to it or not, for sums of floating point.
-inline constexpr double kUnsure = 0.003;
+// These are some 10^-9 s beside it at most: an hour of steps of 1 ms, each rounded by 10^-16.
+inline constexpr double kUnsure = 0.0001;
 
 // Until a value that changes by `speed` each second comes to `place`. So slow that floating point
 // decides its way: nothing is known.

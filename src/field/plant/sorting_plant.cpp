@@ -2,12 +2,14 @@
 // (S7-VIS-07 to S7-VIS-16). Boxes are put on the belt by hand (NEW_...) or by themselves (AUTO):
 // each three of them have one of each size, in an order that follows from the seed.
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include "plant/belt.h"
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/repeated_sum.h"
 #include "plant/silence.h"
 
 namespace merker::plant {
@@ -95,20 +97,22 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
   void advanceSteps(Instant from, Duration step, std::int64_t count,
                     std::span<double> all) override {
     const Signals values(all);
-    const double time = seconds(from, from + step);
-    if (putsNothingWithin(time * static_cast<double>(count), values)) {
-      for (std::int64_t i = 0; i < count; ++i) waited_ += time;
-      belt_.move(time, speed(values), slidersOut(values), count);
-    } else {
-      for (; count > 0; --count) move(time, values);
+    step_ = seconds(from, from + step);
+    while (count > 0) {
+      const std::int64_t steps = std::min(count, freeSteps(values));
+      steps > 0 ? moveFreely(steps, values) : move(step_, values);
+      count -= std::max<std::int64_t>(steps, 1);
     }
     show(values);
   }
 
   double silence(Seen values) const override {
     if (!sameWishes(values)) return 0;
-    const double silence = belt_.silence(speed(values), slidersOut(values));
-    return values["AUTO"] != 0 ? std::min(silence, interval_ - waited_) : silence;
+    const double silence = belt_.silence(speed(values));
+    if (values["AUTO"] == 0) return silence;
+    // A box is put on the belt when the step begins at whose end it is time for that.
+    const double toBarriers = std::max(Belt::timeToBarriers(speed(values)) - step_, 0.0);
+    return std::min(silence, std::max(interval_ - waited_, 0.0) + toBarriers);
   }
 
  private:
@@ -118,8 +122,15 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
       if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return false;
     return true;
   }
-  bool putsNothingWithin(double time, const Signals& values) const {
-    return sameWishes(values) && (values["AUTO"] == 0 || waited_ + time + kUnsure < interval_);
+  // In so many steps surely no box is put on the belt.
+  std::int64_t freeSteps(const Signals& values) const {
+    if (!sameWishes(values)) return 0;
+    if (values["AUTO"] == 0) return std::numeric_limits<std::int64_t>::max();
+    return static_cast<std::int64_t>(std::max(interval_ - waited_ - kUnsure, 0.0) / step_);
+  }
+  void moveFreely(std::int64_t steps, const Signals& values) {
+    waited_ = addRepeatedly(waited_, step_, steps);
+    belt_.move(step_, speed(values), slidersOut(values), steps);
   }
 
   void move(double time, const Signals& values) {
@@ -179,7 +190,8 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
   }
 
   double speed_, interval_, automatic_;
-  double waited_;  // s since the last box of AUTO
+  double waited_;    // s since the last box of AUTO
+  double step_ = 1;  // s; until there has been one, the longest that can be set
   std::mt19937 random_;
   Belt belt_;
   std::array<BoxSize, 3> order_ = kSizes;

@@ -147,8 +147,7 @@ Look QuietCycles::lookAt(std::uint32_t timer) const {
 Instant QuietCycles::timersHold(const Machine& m, Instant from, Look& look) const {
   Instant holds = Instant::never();
   std::uint32_t at = 0;
-  for (std::uint32_t i = 0; i < m.timers.size(); ++i) {
-    if (!m.timers[i].started) continue;
+  for (const std::uint32_t i : memory_.startedTimers()) {
     const Instant next = m.loadedTimers[i] != 0 ? m.timers[i].nextUnit(from) : m.timers[i].end;
     if (next <= from || next >= holds) continue;
     holds = next;

@@ -19,7 +19,7 @@ StateCopy::Difference StateCopy::update(const Machine& m, bool allInputs) {
   else
     keepPart();
   take(m.areas.outputs.data(), m.areas.outputs.size(), "PA");
-  take(m.timers.data(), m.timers.size() * sizeof(S5Timer), "T");
+  takeTimers(m.timers);
   take(m.counters.data(), m.counters.size() * sizeof(S5Counter), "Z");
   const std::vector<DataBlock>& blocks = m.dataBlocks.all();
   for (std::uint32_t i = 0; i < blocks.size(); ++i)
@@ -51,17 +51,26 @@ void StateCopy::takeLocalStacks(const Machine& m) {
   }
 }
 
+void StateCopy::takeTimers(const std::vector<S5Timer>& timers) {
+  if (!take(timers.data(), timers.size() * sizeof(S5Timer), "T")) return;
+  startedTimers_.clear();
+  for (std::uint32_t i = 0; i < timers.size(); ++i)
+    if (timers[i].started) startedTimers_.push_back(i);
+}
+
 void StateCopy::keepPart() {
   if (part_ == parts_.size()) parts_.emplace_back();
   ++part_;
 }
 
-void StateCopy::take(const void* data, std::size_t bytes, std::string_view area,
+// Whether it was something else, or of another length.
+bool StateCopy::take(const void* data, std::size_t bytes, std::string_view area,
                      std::uint32_t number) {
   if (part_ == parts_.size()) parts_.emplace_back();
   std::vector<std::uint8_t>& copy = parts_[part_++];
   bytes_ += bytes;
-  if (copy.size() == bytes && (bytes == 0 || std::memcmp(copy.data(), data, bytes) == 0)) return;
+  if (copy.size() == bytes && (bytes == 0 || std::memcmp(copy.data(), data, bytes) == 0))
+    return false;
   const auto* from = static_cast<const std::uint8_t*>(data);
   const bool fits = copy.size() == bytes;
   if (!found_) {
@@ -69,6 +78,7 @@ void StateCopy::take(const void* data, std::size_t bytes, std::string_view area,
     found_ = {area, number, static_cast<std::uint32_t>(at - copy.begin())};
   }
   copy.assign(from, from + bytes);
+  return true;
 }
 
 }  // namespace merker::cpu

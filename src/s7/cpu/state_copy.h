@@ -23,9 +23,12 @@ class StateCopy {
   // program reads them.
   Difference update(const Machine& machine, bool allInputs);
   std::size_t bytes() const { return bytes_; }  // that it has compared
+  // Of the machine at the last update.
+  const std::vector<std::uint32_t>& startedTimers() const { return startedTimers_; }
 
  private:
-  void take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
+  void takeTimers(const std::vector<S5Timer>& timers);
+  bool take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
   void keepPart();  // as it is: nobody asks for it
   void takeImage(const Areas& areas);
   void takeLocalStacks(const Machine& machine);
@@ -34,6 +37,7 @@ class StateCopy {
   std::size_t part_ = 0;  // that comes next
   std::size_t bytes_ = 0;
   Difference found_;
+  std::vector<std::uint32_t> startedTimers_;
 };
 
 }  // namespace merker::cpu
