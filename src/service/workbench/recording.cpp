@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "workbench/message.h"
-#include "workbench/method.h"
+#include "workbench/protocol.h"
 
 namespace merker::workbench {
 namespace {
@@ -72,29 +72,23 @@ Result<std::vector<Action>, Problems> parseRecording(const std::string& path,
 
 namespace {
 
-// The fields of all actions, and of their items.
-constexpr std::string_view kMeaningful[] = {
-    "do",    "position", "on",      "battery", "kind",   "ob",     "address",
-    "going", "items",    "operand", "value",   "format", "rack",   "slot",
-    "fault", "to",       "plant",   "held",    "manual", "timers", "path"};
-
-// Without fields that mean nothing, whatever a browser has put into them; `bytes`: what it takes
-// in a file, about.
-Json meaningful(const Json& value, std::size_t& bytes) {
+// What the protocol knows of it, whatever else a browser has put into it; `bytes`: what it takes in
+// a file, about.
+Json meaningful(const Shape& shape, const Json& value, std::size_t& bytes) {
   constexpr std::size_t kMarks = 8;
-  if (value.is_array()) {
+  if (shape.kind == Shape::Kind::List && value.is_array()) {
     Json list = Json::array();
-    for (const Json& one : value) list.push_back(meaningful(one, bytes));
+    for (const Json& one : value) list.push_back(meaningful(shape.parts[0], one, bytes));
     return list;
   }
   bytes += kMarks + (value.is_string() ? value.get_ref<const std::string&>().size() : 0);
-  if (!value.is_object()) return value;
+  if (shape.kind != Shape::Kind::Object || !value.is_object()) return value;
   Json result = Json::object();
-  for (const auto& [key, field] : value.items()) {
-    if (std::ranges::find(kMeaningful, key) == std::end(kMeaningful)) continue;
-    bytes += kMarks + key.size();
-    result[key] = meaningful(field, bytes);
-  }
+  for (const Shape& field : shape.parts)
+    if (const auto found = value.find(field.name); found != value.end()) {
+      bytes += kMarks + field.name.size();
+      result[field.name] = meaningful(field, *found, bytes);
+    }
   return result;
 }
 
@@ -109,9 +103,12 @@ void Recorder::start(Instant now) {
 void Recorder::stop() { *this = {}; }
 
 void Recorder::note(const Json& request, Instant now) {
-  if (!on_ || full_) return;
-  std::size_t bytes = 0;
-  Json kept = meaningful(request, bytes);
+  const std::string name = request.value("do", "");
+  const MethodRow* row = findMethodRow(name);
+  if (!on_ || full_ || row == nullptr) return;
+  std::size_t bytes = name.size();
+  Json kept = meaningful(row->fields, request, bytes);
+  kept["do"] = name;
   full_ = actions_.size() >= kMost || bytes_ + bytes > kMostBytes;
   if (full_) return;
   bytes_ += bytes;

@@ -137,7 +137,7 @@ cpu::TimeOfDayInterrupt timeOfDay(const Reader& r) {
           .expired = r.flag("expired"),
           .period = static_cast<cpu::Period>(period),
           .start = r.number<std::int64_t>("start", kCentury),
-          .due = r.number<std::int64_t>("due", kCentury)};
+          .due = r.fields.integer("due", -1, kCentury)};  // -1: never again
 }
 
 cpu::Interrupts interrupts(const Fields& fields) {

@@ -1,7 +1,10 @@
 // Timers by hand, the CPU in a file, recording and playback (S7-SIM-13).
+#include "workbench/recording.h"
+
 #include <fmt/format.h>
 
 #include "bench.h"
+#include "workbench/protocol.h"
 
 namespace merker::workbench::test {
 namespace {
@@ -73,6 +76,22 @@ TEST(CpuState, ComesBackAsItWas) {
   EXPECT_EQ(text(bench, "A 0.1"), "0");
   bench.run(Duration::milliseconds(200));
   EXPECT_EQ(text(bench, "A 0.1"), "1");
+}
+
+// An interrupt of a time of day that has come, and comes never again.
+TEST(CpuState, WithAnInterruptThatIsOverComesBack) {
+  Bench bench(std::string(kProgram) +
+                  "ORGANIZATION_BLOCK OB 10\nBEGIN\nNETWORK\n      L     MW 30;\n      +     1;\n"
+                  "      T     MW 30;\nEND_ORGANIZATION_BLOCK\n",
+              "[cpu.OB10]\nperiod = \"once\"\nstart = \"DT#2005-09-01-08:00:00\"\n");
+  bench.call("cpu.setClock", {{"time", "2005-09-01 07:59:59.900"}});
+  bench.run(Duration::seconds(1));
+  EXPECT_EQ(text(bench, "MW 30", "DEC"), "1");
+  bench.call("cpu.save", {{"path", "over.state"}});
+  bench.call("variables.write", input("MW 30", "7"));
+  bench.call("cpu.load", {{"path", "over.state"}});
+  bench.run(Duration::seconds(1));
+  EXPECT_EQ(text(bench, "MW 30", "DEC"), "1");
 }
 
 TEST(CpuState, ComesBackInCompiledCodeToo) {
@@ -327,6 +346,30 @@ TEST(Recorded, KeepsOnlyWhatMeansSomething) {
   recorder.note({{"id", 7}, {"do", "cpu.stop"}, {"padding", std::string(1 << 20, 'x')}}, Instant{});
   ASSERT_EQ(recorder.actions().size(), 1u);
   EXPECT_EQ(*recorder.actions()[0].request, (Json{{"do", "cpu.stop"}}));
+}
+
+// A value with every field that the shape has.
+Json whole(const Shape& shape) {
+  if (shape.kind == Shape::Kind::List) return Json::array({whole(shape.parts[0])});
+  if (shape.kind == Shape::Kind::Object) {
+    Json object = Json::object();
+    for (const Shape& field : shape.parts) object[field.name] = whole(field);
+    return object;
+  }
+  return "x";
+}
+
+TEST(Recorded, KeepsEachFieldOfEachAction) {
+  for (const MethodRow& row : methodRows()) {
+    if (row.kind != Kind::Action) continue;
+    Json request = whole(row.fields);
+    request["do"] = row.name;
+    Recorder recorder;
+    recorder.start(Instant{0});
+    recorder.note(request, Instant{});
+    ASSERT_EQ(recorder.actions().size(), 1u) << row.name;
+    EXPECT_EQ(*recorder.actions()[0].request, request);
+  }
 }
 
 TEST(Recorded, EndsWhereItIsFull) {
