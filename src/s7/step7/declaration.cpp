@@ -250,10 +250,29 @@ std::string DeclarationParser::endOfLineComment() {
 // Deeper than STEP 7 nests (8); what is deeper still is refused before it fills the stack.
 constexpr int kDeepest = 32;
 
+// Its members are no variables of the structure around it.
+void DeclarationParser::passStructure() {
+  for (int open = 0; !cursor_.atEnd();) {
+    cursor_.skipSpace();
+    const std::size_t begin = cursor_.pos();
+    const std::string_view word = cursor_.word();
+    if (equalsIgnoreCase(word, "STRUCT")) {
+      ++open;
+    } else if (equalsIgnoreCase(word, "END_STRUCT") && open > 0) {
+      if (--open == 0) return;
+    } else if (endsDeclarations(word) || (open == 0 && cursor_.peek() == ';')) {
+      return cursor_.seek(begin);
+    } else if (word.empty()) {
+      cursor_.peek() == '\'' ? cursor_.passText() : void(cursor_.take());
+    }
+  }
+}
+
 std::optional<TypeSyntax> DeclarationParser::type() {
   if (depth_ >= kDeepest) {
     problems_.add(ProblemCode::P0202, at(cursor_.pos(), cursor_.pos() + 1), "the nesting of types",
                   fmt::format("1..{}", kDeepest));
+    passStructure();
     return std::nullopt;
   }
   ++depth_;

@@ -57,6 +57,7 @@ class DeclarationParser {
   // name {, name} [attributes] : type [:= value] ;   Several names give several variables.
   // False at the word that ends the list (END_VAR, END_STRUCT …), which stays.
   bool variables(block::Section section, std::vector<VariableSyntax>& out);
+  void passStructure();
   std::optional<TypeSyntax> type();
   // { name := 'value' ; … }
   std::vector<std::pair<std::string, std::string>> attributes();

@@ -305,6 +305,7 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
 }
 
 void Interfaces::missing(const BlockSource& source, const Position& place, BlockId id) {
+  if (entries_.contains(id)) return;  // it is there, but nested too deep
   if (!missing_.emplace(source.id, toString(id)).second) return;
   if (id.kind == BlockKind::SFB)
     problems_.add(ProblemCode::P0433, place, options_.model->name, toString(id));

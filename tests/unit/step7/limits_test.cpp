@@ -79,6 +79,28 @@ std::string instances(int blocks, int of) {
   return source + fmt::format("DATA_BLOCK DB 1\nFB {}\nBEGIN\nEND_DATA_BLOCK\n", blocks);
 }
 
+// What is nested too deep is in the program all the same.
+TEST(Limits, InstancesInACircle) {
+  std::string source = instances(50, 1);
+  source.replace(source.find("a : INT"), 7, "a : FB 50");
+  for (const std::string& problem : compileText(source, "generic").problems())
+    EXPECT_TRUE(problem.ends_with("P0202") || problem.ends_with("P0421")) << problem;
+}
+
+// Whatever stands in a structure that is too deep is no member of the one around it.
+TEST(Limits, StructuresWithinEachOther) {
+  const auto nested = [](int count) {
+    return dataBlock(repeated("a : STRUCT\n", count) + "a : INT;\nb : STRING := ';';\n" +
+                     repeated("END_STRUCT;\n", count) + "z : INT;\n");
+  };
+  EXPECT_EQ(compileText(nested(30), "generic").problems(), List{});
+  for (const int count : {32, 33, 60}) {
+    const Compiled compiled = compileText(nested(count), "generic");
+    EXPECT_EQ(compiled.problems().size(), 1u) << count;
+    EXPECT_TRUE(compiled.problems().front().ends_with("P0202")) << compiled.problems().front();
+  }
+}
+
 TEST(Limits, InstancesWithinEachOther) {
   EXPECT_EQ(compileText(instances(30, 1), "generic").problems(), List{});
   EXPECT_EQ(first(instances(40, 1)).substr(first(instances(40, 1)).find(' ')), " P0202");
