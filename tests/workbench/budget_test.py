@@ -295,6 +295,24 @@ class Attacked(Attacking):
             except Closed:
                 self.assertLess(time.monotonic() - begin, 5)
 
+    def test_the_lists_of_many_browsers(self):
+        """As many operands with long names as a browser may watch."""
+        before = memory(self.process.pid)
+        watching = [self.browser() for _ in range(30)]
+        for browser in watching:
+            refused = 0
+            for number in range(5):
+                items = [{"operand": f"{'x' * 380}{number:02}{i:04}"} for i in range(1000)]
+                refused += "problems" in browser.ask("watch.set", list=number, items=items)
+            self.assertEqual(refused, 3)
+        self.assertLess(memory(self.process.pid, "VmHWM") - before, 200 * MEGA)
+        for browser in watching:
+            browser.close()
+        end = time.monotonic() + 20
+        while memory(self.process.pid) - before > 60 * MEGA and time.monotonic() < end:
+            time.sleep(0.2)
+        self.assertLess(memory(self.process.pid) - before, 60 * MEGA)
+
     def test_memory_is_free_again(self):
         before = memory(self.process.pid)
         for _ in range(3):

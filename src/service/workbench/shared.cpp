@@ -163,6 +163,13 @@ void Shared::giveUp(const Work& task) {
   if (offlineJob_ && offlineJob_->task == task) offlineJob_ = nullptr;
 }
 
+WatchExtent watched(const Browser& browser, std::int64_t exceptList) {
+  WatchExtent sum;
+  for (const auto& [number, list] : browser.lists)
+    if (number != exceptList) sum += list.extent();
+  return sum;
+}
+
 std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch,
                        std::int64_t exceptModify) {
   std::size_t count = 0;

@@ -36,6 +36,8 @@ constexpr std::size_t kPlcs = 4;
 constexpr std::size_t kLists = 64, kItems = 1000;  // of each browser, of each list
 // Of each browser, in all lists: they are read or written in every cycle.
 constexpr std::size_t kPointItems = 2000;
+// Of each browser, in all watch lists: 64 browsers hold some 200 MB.
+constexpr std::size_t kWatched = 10'000, kWatchedBytes = 1'000'000;
 
 class Neighbours;
 
@@ -161,6 +163,8 @@ struct Browser {
   HeldBits heldBits;
 };
 
+// Its watch lists besides this one.
+WatchExtent watched(const Browser& browser, std::int64_t exceptList);
 // Operands that this browser has at trigger points, besides those of these lists.
 std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch, std::int64_t exceptModify);
 

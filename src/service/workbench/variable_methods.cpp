@@ -27,8 +27,13 @@ Answer watch(const Call& call) {
   constexpr std::int64_t kNone = -1;
   if (trigger && pointItems(call.browser, number, kNone) + wanted.size() > kPointItems)
     return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
-  const auto [place, isNew] =
-      lists.insert_or_assign(number, WatchList(std::move(wanted), every, trigger));
+  WatchList list(std::move(wanted), every, trigger);
+  WatchExtent all = watched(call.browser, number);
+  all += list.extent();
+  if (all.items > kWatched) return refused(ProblemCode::P1314, kWatched, "watched operands");
+  if (all.bytes > kWatchedBytes)
+    return refused(ProblemCode::P1314, kWatchedBytes, "bytes in the names of watched operands");
+  const auto [place, isNew] = lists.insert_or_assign(number, std::move(list));
   return Json{{"items", place->second.describe(call.plc())}};
 }
 

@@ -25,6 +25,12 @@ WatchList::WatchList(std::vector<WatchItem> items, std::int64_t everyMs,
   for (WatchItem& item : items) rows_.push_back({std::move(item), {}, {}, {}, false});
 }
 
+WatchExtent WatchList::extent() const {
+  WatchExtent sum{.items = rows_.size()};
+  for (const Row& row : rows_) sum.bytes += row.item.operand.size();
+  return sum;
+}
+
 void WatchList::reached(const Plc& plc, monitor::CyclePoint point) {
   if (!trigger_ || trigger_->point != point || done_) return;
   for (Row& row : rows_) row.seen = read(row, plc);

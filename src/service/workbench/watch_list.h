@@ -16,6 +16,15 @@ struct WatchItem {
   monitor::DisplayFormat format = monitor::DisplayFormat::Automatic;
 };
 
+// What it takes to hold them: operands, and bytes of their names.
+struct WatchExtent {
+  std::size_t items = 0, bytes = 0;
+  WatchExtent& operator+=(const WatchExtent& more) {
+    items += more.items, bytes += more.bytes;
+    return *this;
+  }
+};
+
 class WatchList {
  public:
   // `trigger`: values are those of that point of the cycle; without: of the moment of telling.
@@ -28,6 +37,7 @@ class WatchList {
   Json changes(const Plc& plc, std::uint64_t program, std::int64_t nowMs);
   // The CPU has come to this point.
   void reached(const Plc& plc, monitor::CyclePoint point);
+  WatchExtent extent() const;
   // How many values it reads at a trigger point of each cycle.
   std::size_t atPoint() const { return trigger_ ? rows_.size() : 0; }
   // A trigger that counts once has come.

@@ -154,6 +154,35 @@ TEST(Watch, ListsHaveLimits) {
   EXPECT_EQ(bench.problem("watch.set", {{"list", 0}, {"items", many}}), "P1305");
 }
 
+TEST(Watch, AllListsTogetherHaveLimits) {
+  Bench bench;
+  const auto set = [&](std::size_t list, const std::string& operand, std::size_t count) {
+    Json items = Json::array();
+    for (std::size_t i = 0; i < count; ++i) items.push_back(item(operand));
+    return bench.ask("watch.set", {{"list", list}, {"items", items}});
+  };
+  for (std::size_t list = 0; list < kWatched / kItems; ++list)
+    EXPECT_TRUE(set(list, "MW 2", kItems).contains("result"));
+  EXPECT_EQ(set(20, "MW 2", 1)["problems"][0]["code"], "P1314");
+  EXPECT_TRUE(set(3, "MW 4", kItems).contains("result"));  // in place of the old one
+  bench.call("watch.drop", {{"list", 0}});
+  EXPECT_TRUE(set(20, "MW 2", 1).contains("result"));
+}
+
+TEST(Watch, LongNamesHaveALimit) {
+  Bench bench;
+  const std::string name(390, 'x');
+  std::string refusal;
+  for (int list = 0; list < 10 && refusal.empty(); ++list) {
+    Json items = Json::array();
+    for (std::size_t i = 0; i < kItems; ++i) items.push_back(item(name));
+    const Json answer = bench.ask("watch.set", {{"list", list}, {"items", items}});
+    if (answer.contains("problems")) refusal = answer["problems"][0]["code"];
+    EXPECT_EQ(refusal.empty(), list < 2);
+  }
+  EXPECT_EQ(refusal, "P1314");
+}
+
 TEST(Variables, ForcesHaveALimit) {
   Bench bench;
   const auto force = [&](int first) {
