@@ -29,6 +29,7 @@ Answer list(const Call& call) {
   return elsewhere<Listed>(
       call, call.shared.clerk,
       [](const Aside& aside) {
+        if (auto gone = aside.folder.missing()) return Listed{one(std::move(*gone)), {}};
         Listing seen = aside.folder.list();
         Answer answer = written(rows(seen), aside.folder);
         return Listed{std::move(answer), std::move(seen)};

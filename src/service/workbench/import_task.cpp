@@ -140,6 +140,9 @@ Answer importInto(const Upload& upload, const ProjectFolder& folder, const Impor
   for (importing::Report::Line& line : outcome.lines) line.text = made.withoutFolder(line.text);
   Addition addition(folder, made, wish.open);
   if (!addition.add(outcome.lines, stop)) return notImported("it was cancelled");
+  if (outcome.merkerProject)
+    outcome.lines.push_back(
+        {importing::Effect::Lost, "merker.toml was not replaced: the open project keeps its own"});
   return importResult(outcome.lines, Json::array(), addition.files());
 }
 

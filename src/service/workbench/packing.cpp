@@ -143,6 +143,7 @@ Choice choose(const ProjectFolder& folder) {
 
 Answer copyProject(const ProjectFolder& from, const Workspace& workspace, const std::string& name,
                    const std::stop_token& stop) {
+  if (auto gone = from.missing()) return one(std::move(*gone));
   Choice choice = choose(from);
   if (choice.tooMany) return notPacked(tooMany());
   const auto folder = workspace.makeFolder(name);
@@ -156,6 +157,7 @@ Answer copyProject(const ProjectFolder& from, const Workspace& workspace, const 
 }
 
 Packing pack(const ProjectFolder& folder, Choice choice, const std::stop_token& stop) {
+  if (auto gone = folder.missing()) return {one(std::move(*gone)), nullptr, {}};
   if (choice.tooMany) return {notPacked(tooMany()), nullptr, {}};
   archive::Zipped zip = zipOf(folder, choice, stop);
   Packing packing{whyNot(zip), nullptr, {}};

@@ -43,7 +43,8 @@ Place open(const std::string& root, std::string_view path, bool make) {
   std::size_t slash = 0;
   while (folder && (slash = path.find('/')) != std::string_view::npos) {
     const std::string name(path.substr(0, slash));
-    if (make) ::mkdirat(folder.number(), name.c_str(), 0777);
+    const bool made = !make || ::mkdirat(folder.number(), name.c_str(), 0777) == 0;
+    if (!made && errno != EEXIST) return {Descriptor(), {}};
     folder = Descriptor(::openat(folder.number(), name.c_str(), kFolder));
     path.remove_prefix(slash + 1);
   }
@@ -95,7 +96,10 @@ std::optional<std::string> bytesOf(const Place& place) {
 Problem unread(const Place& place, const std::string& path) {
   constexpr std::uint64_t kMega = 1 << 20;
   const auto stamp = stampOf(place);
-  if (!stamp || stamp->size <= kLargestFile) return noFile(path);
+  if (!stamp) return noFile(path);
+  if (stamp->size <= kLargestFile && openToRead(place)) return noFile(path);  // it came just now
+  if (stamp->size <= kLargestFile)
+    return makeProblem(ProblemCode::P0101, nowhere(), path, std::strerror(errno));
   return makeProblem(ProblemCode::P1308, nowhere(), path,
                      fmt::format("it has {} MB; at most {} MB can be read here",
                                  stamp->size / kMega, kLargestFile / kMega));
@@ -208,6 +212,11 @@ std::string ProjectFolder::withoutFolder(std::string text) const {
 
 std::string ProjectFolder::full(std::string_view path) const {
   return project::join(folder_, std::string(path));
+}
+
+std::optional<Problem> ProjectFolder::missing() const {
+  if (open(folder_, "", false).folder) return std::nullopt;
+  return makeProblem(ProblemCode::P0101, nowhere(), folder_, std::strerror(errno));
 }
 
 Listing ProjectFolder::list(std::size_t most) const {

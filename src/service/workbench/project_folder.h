@@ -52,6 +52,8 @@ class ProjectFolder {
 
   // What browsers are shown at most.
   static constexpr std::size_t kMostFiles = 5000;
+  // P0101 if there is no such folder (any more), or nobody may look into it.
+  std::optional<Problem> missing() const;
   // Sorted.
   Listing list(std::size_t most = kMostFiles) const;
   // Open, whatever its length and content; null if there is no such regular file.

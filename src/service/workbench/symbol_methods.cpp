@@ -48,6 +48,7 @@ Answer read(const Call& call) {
   return elsewhere(call, call.shared.clerk,
                    [offline = call.shared.offlineRef(),
                     language = languageOf(call)](const Aside& aside) -> Answer {
+                     if (auto gone = aside.folder.missing()) return one(std::move(*gone));
                      const std::string path = symbolPath(*offline, aside.folder);
                      const auto content = aside.folder.read(path);
                      if (!content)

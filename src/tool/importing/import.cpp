@@ -81,6 +81,7 @@ void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& cho
     const std::string folder = chosen.size() == 1
                                    ? outcome.folder
                                    : outcome.folder + "/" + root.unused(candidate.name, "");
+    outcome.merkerProject |= candidate.merker != nullptr;
     if (candidate.merker != nullptr)
       importMerker(tree, candidate, options, folder, report);
     else if (candidate.step5 != nullptr)

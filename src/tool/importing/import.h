@@ -39,6 +39,7 @@ struct Outcome {
   std::vector<Report::Line> lines;    // the same, one by one
   std::vector<std::string> refused;   // why there is nothing: "a.awl: it is encrypted"
   bool lost = false;                  // a block or more did not come
+  bool merkerProject = false;         // a program has the merker.toml that it came with
 };
 
 Outcome importSource(const Options& options);

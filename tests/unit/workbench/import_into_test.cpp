@@ -46,6 +46,16 @@ TEST_F(Transfer, AFileThatExistsHasOneLine) {
   EXPECT_FALSE(fs::exists(bench.folder.path("MAIN.awl")));
 }
 
+TEST_F(Transfer, TheOpenProjectKeepsItsSettings) {
+  const std::string before = bench.folder.read("merker.toml");
+  const Json result =
+      bring({{"motor.awl", kMotorSource}, {"merker.toml", "[project]\nname = \"Other\"\n"}});
+  EXPECT_EQ(result["files"], Json({"motor.awl"}));
+  EXPECT_TRUE(told(result, "lost", "merker.toml was not replaced")) << result.dump();
+  EXPECT_TRUE(result["lost"]);
+  EXPECT_EQ(bench.folder.read("merker.toml"), before);
+}
+
 TEST_F(Transfer, ANewNameIsSaid) {
   const Json result = bring(
       {{"one/m.awl", kMotorSource}, {"two/M.awl", "// nothing\n" + std::string(kMotorSource)}});

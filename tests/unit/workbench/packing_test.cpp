@@ -19,6 +19,18 @@ std::vector<std::string> filesOf(const std::string& zip) {
 
 const std::vector<std::string> kOwn = {"main.awl", "main.sym", "merker.toml"};
 
+// Somebody moved it away while it was open.
+TEST_F(Transfer, OfAProjectThatIsGoneThereIsNothing) {
+  const std::string folder = bench.folder.path(), away = workspace.path("away");
+  fs::rename(folder, away);
+  EXPECT_EQ(bench.problem("projects.copy", {{"name", "copy"}}), "P0101");
+  for (const char* method : {"download.begin", "files.list", "symbols.read"})
+    EXPECT_EQ(bench.problem(method), "P0101") << method;
+  EXPECT_FALSE(fs::exists(workspace.path("copy")));
+  fs::rename(away, folder);
+  bench.call("files.list");
+}
+
 TEST_F(Transfer, WhatIsNotInTheZipIsNamed) {
   bench.folder.write("lib/merker.toml", "[project]\nname = \"Lib\"\n");
   bench.folder.write("lib/main.awl", kMotorSource);
