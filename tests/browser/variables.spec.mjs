@@ -4,7 +4,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, open, serve, turn, until } from './harness.mjs';
+import { expect, message, open, serve, turn, until, write } from './harness.mjs';
 
 const server = await serve();
 const page = await open(server, 'variables');
@@ -220,6 +220,64 @@ test('an unnamed table is saved under a name, then the other one opens', async (
 test('a value that cannot be read has its reason', async () => {
   await type('DB99.DBW 0');
   await row('DB99.DBW 0').getByText('DB 99 ist nicht geladen oder zu kurz.').waitFor();
+});
+
+const modifyValue = (operand) => row(operand).locator('.modify input');
+const bars = () => page.locator('.message').allInnerTexts();
+
+test('what cannot be modified is marked and named, the others are written', async () => {
+  await fresh();
+  for (const operand of ['A 124.3', 'MW 60', 'MW 62', 'MD 64']) await type(operand);
+  await row('A 124.3').getByRole('button', { name: /forcen$/ }).click();
+  await message(page, 'Zeile 1, A 124.3: Erst einen Steuerwert eintragen.');
+  await modifyValue('A 124.3').fill('1');
+  await row('A 124.3').getByRole('button', { name: /forcen$/ }).click();
+  await row('A 124.3').locator('.mark b').waitFor();
+  await expect(async () => (await bars()).length, 0, 'what was refused is done');
+
+  await modifyValue('MW 60').fill('abc');
+  await modifyValue('MW 62').fill('7');
+  await row('MD 64').locator('select').selectOption('REAL');
+  await modifyValue('MD 64').fill('2,5x');
+  for (let time = 0; time < 2; time++) {
+    await page.getByRole('button', { name: 'Steuern', exact: true }).click();
+    await message(page, /^Zeile 1, A 124.3: .*geforcet/);
+    await message(page, /^Zeile 2, MW 60: .*abc/);
+    await message(page, /^Zeile 4, MD 64: .*2,5x/);
+    assert.equal((await bars()).length, 3);
+    await expect(async () => (await status('MW 62')).includes('7'), true);
+    await modifyValue('MW 62').fill('7');
+  }
+  const marked = () => page.locator('.modify input[aria-invalid=true]').evaluateAll((all) => all.map((one) => one.closest('tr').dataset.operand));
+  assert.deepEqual(await marked(), ['A 124.3', 'MW 60', 'MD 64']);
+  await accessible(page, 'refused modify values');
+  await modifyValue('MW 60').fill('8');
+  await expect(async () => (await marked()).join(), 'A 124.3,MD 64');
+  await modifyValue('MW 60').press('Enter');
+  await expect(async () => (await status('MW 60')).includes('8'), true);
+  await page.getByRole('button', { name: 'Alle aufheben' }).click();
+  await fresh();
+});
+
+test('a row that cannot be monitored leaves the others, and no value of another table', async () => {
+  const files = page.getByLabel('Tabelle', { exact: true });
+  const table = async (name, text, operand) => {
+    writeFileSync(join(server.project, name), text);
+    await until(() => files.locator('option').allInnerTexts().then((all) => all.includes(name)), name);
+    await files.selectOption(name);
+    await row(operand).waitFor();
+  };
+  await write(page, { 'MW 600': 1111, 'MW 602': 2222, 'MW 606': 3333 });
+  await table('good.vat', 'MW 600 ; DEC\nMW 602 ; DEC\n', 'MW 602');
+  await expect(() => status('MW 602'), '2222');
+  await table('bad.vat', 'MW 604 ; DEZ\nMW 606 ; DEC\n', 'MW 606');
+  await expect(() => status('MW 606'), '3333');
+  await row('MW 604').getByText('„DEZ“ ist kein Anzeigeformat').waitFor();
+  assert.equal(await status('MW 604'), '?');
+  await table('long.vat', `${'x'.repeat(401)}\nMW 600 ; DEC\n`, 'MW 600');
+  await expect(() => status('MW 600'), '1111');
+  await page.locator('tbody tr').first().getByText('400').waitFor();
+  await files.selectOption('');
 });
 
 test('only what can be forced offers it; operands are not cut', async () => {

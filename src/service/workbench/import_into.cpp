@@ -17,7 +17,7 @@ constexpr const char* kMerkerToml = "merker.toml";
 
 // Files that a project of this family has; others would do nothing in it.
 bool fitsFamily(const std::string& path, bool listing) {
-  constexpr std::string_view kBoth[] = {".seq", ".vat", ".scn", ".state", ".rec", ".txt"};
+  constexpr std::string_view kBoth[] = {".seq", ".vat", ".hmi", ".scn", ".state", ".rec", ".txt"};
   constexpr std::string_view kStep5[] = {".s5"};
   constexpr std::string_view kStep7[] = {".awl", ".mc7", ".sym", ".sdf", ".asc", ".dif"};
   const auto fits = [&](std::string_view ending) { return project::hasExtension(path, ending); };

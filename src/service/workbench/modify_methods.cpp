@@ -24,6 +24,7 @@ Answer set(const Call& call) {
   const auto number = call.fields.integer("list", 0, INT32_MAX);
   const auto trigger = triggerOf(call.fields);
   const Wishes wishes(call.fields);
+  const bool each = call.fields.flag("each", false);
   if (!call.fields.good()) return call.fields.problems();
   if (!trigger) {
     const ProblemCode code = call.fields.has("point") ? ProblemCode::P1305 : ProblemCode::P1306;
@@ -32,13 +33,20 @@ Answer set(const Call& call) {
   auto& lists = call.browser.modifies;
   if (!lists.contains(number) && lists.size() >= kLists)
     return refused(ProblemCode::P1314, kLists, "lists");
-  auto list = ModifyList::of(call.monitor(), wishes.list(), *trigger);
+  std::vector<monitor::Wish> wanted = wishes.list();
+  Json without = Json::array();
+  if (each)
+    without = leaveOut(wanted, [&](const auto& wish) -> std::optional<Problem> {
+      const auto change = call.monitor().inCycle(wish);
+      return change ? std::nullopt : std::optional(change.error());
+    });
+  auto list = ModifyList::of(call.monitor(), wanted, *trigger);
   if (!list) return one(list.error());
   constexpr std::int64_t kNone = -1;
   if (pointItems(call.browser, kNone, number) + list->size() > kPointItems)
     return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
   lists.insert_or_assign(number, std::move(list.value()));
-  return empty();
+  return Json{{"refused", std::move(without)}};
 }
 
 Answer drop(const Call& call) {

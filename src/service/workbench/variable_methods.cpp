@@ -9,21 +9,22 @@ namespace {
 
 std::vector<WatchItem> items(const Call& call) {
   std::vector<WatchItem> list;
-  for (const Fields& item : call.fields.objects("items", kItems))
-    list.push_back({item.name("operand"), formatOf(item)});
+  for (const Fields& item : call.fields.objects("items", kItems)) list.push_back(watchItem(item));
   return list;
 }
 
 Answer watch(const Call& call) {
   const auto number = call.fields.integer("list", 0, INT32_MAX);
+  if (!call.fields.good()) return call.fields.problems();
+  // A list that is refused leaves none: its values would pass for those of the one before.
+  call.browser.lists.erase(number);
   const auto every = call.fields.integer("everyMs", 0, 60'000, 33);
   const auto trigger =
       call.plc().can(monitor::Feature::CyclePoints) ? triggerOf(call.fields) : std::nullopt;
   auto wanted = items(call);
   if (!call.fields.good()) return call.fields.problems();
   auto& lists = call.browser.lists;
-  if (!lists.contains(number) && lists.size() >= kLists)
-    return refused(ProblemCode::P1314, kLists, "lists");
+  if (lists.size() >= kLists) return refused(ProblemCode::P1314, kLists, "lists");
   constexpr std::int64_t kNone = -1;
   if (trigger && pointItems(call.browser, number, kNone) + wanted.size() > kPointItems)
     return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
@@ -33,7 +34,7 @@ Answer watch(const Call& call) {
   if (all.items > kWatched) return refused(ProblemCode::P1314, kWatched, "watched operands");
   if (all.bytes > kWatchedBytes)
     return refused(ProblemCode::P1314, kWatchedBytes, "bytes in the names of watched operands");
-  const auto [place, isNew] = lists.insert_or_assign(number, std::move(list));
+  const auto [place, isNew] = lists.emplace(number, std::move(list));
   return Json{{"items", place->second.describe(call.plc())}};
 }
 
@@ -49,6 +50,7 @@ Json unknown(const Problem& problem) {
 }
 
 Json readOne(const Plc& plc, const WatchItem& item) {
+  if (item.problem) return unknown(*item.problem);
   const auto reference = plc.operand(item.operand);
   if (!reference) return unknown(reference.error());
   if (const auto problem = monitor::checkFormat(*reference, item.format)) return unknown(*problem);
@@ -71,18 +73,22 @@ constexpr std::size_t kMostForces = 500;
 
 Answer write(const Call& call) {
   const Wishes wishes(call.fields);
-  const bool held = call.fields.flag("held", false);
+  const bool held = call.fields.flag("held", false), each = call.fields.flag("each", false);
   if (!call.fields.good()) return call.fields.problems();
-  const std::vector<monitor::Wish> list = wishes.list();
+  std::vector<monitor::Wish> list = wishes.list();
   HeldBits& bits = call.browser.heldBits;
   if (held && bits.size() + list.size() > kItems)
     return refused(ProblemCode::P1314, kItems, "held operands");
-  if (auto problem = call.monitor().write(list)) return one(std::move(*problem));
+  Json without = Json::array();
+  if (each)
+    without = leaveOut(list, [&](const auto& wish) { return call.monitor().write({wish}); });
+  else if (auto problem = call.monitor().write(list))
+    return one(std::move(*problem));
   std::vector<address::Reference> written;
   for (const monitor::Wish& wish : list)
     if (auto reference = call.plc().operand(wish.operand)) written.push_back(std::move(*reference));
   bits.note(written, held);
-  return empty();
+  return Json{{"refused", std::move(without)}};
 }
 
 Answer force(const Call& call) {

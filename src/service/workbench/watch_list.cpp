@@ -47,6 +47,7 @@ Json WatchList::describe(Row& row, const Plc& plc) {
                {"format", monitor::name(row.item.format)}};
   row.reference.reset();
   row.told = false;
+  if (row.item.problem) return json["problem"] = toJson(*row.item.problem), json;
   auto reference = plc.operand(row.item.operand);
   if (!reference) return json["problem"] = toJson(reference.error()), json;
   if (const auto problem = monitor::checkFormat(*reference, row.item.format))

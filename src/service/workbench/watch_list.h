@@ -14,6 +14,7 @@ namespace merker::workbench {
 struct WatchItem {
   std::string operand;
   monitor::DisplayFormat format = monitor::DisplayFormat::Automatic;
+  std::optional<Problem> problem;  // why it is never looked at
 };
 
 // What it takes to hold them: operands, and bytes of their names.

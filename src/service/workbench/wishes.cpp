@@ -11,6 +11,20 @@ monitor::DisplayFormat formatOf(const Fields& item) {
   return monitor::DisplayFormat::Automatic;
 }
 
+WatchItem watchItem(const Fields& item) {
+  WatchItem result{item.text("operand"), {}, {}};
+  const auto format = monitor::parseFormat(item.text("format", "AUTO"));
+  if (format)
+    result.format = *format;
+  else
+    result.problem = format.error();
+  if (result.operand.size() <= Fields::kLongestName) return result;
+  result.operand.clear();
+  result.problem = makeProblem(ProblemCode::P1305, nowhere(), "operand",
+                               fmt::format("a text of at most {} bytes", Fields::kLongestName));
+  return result;
+}
+
 Wishes::Wishes(const Fields& fields) {
   for (const Fields& item : fields.objects("items", kItems))
     texts_.push_back(

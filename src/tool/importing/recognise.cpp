@@ -134,7 +134,7 @@ Kind recognise(const archive::File& file, std::string_view path) {
 }
 
 bool isOwnFile(std::string_view path, const archive::File& file) {
-  static constexpr std::string_view kEndings[] = {".sym", ".scn", ".vat", ".state", ".rec"};
+  static constexpr std::string_view kEndings[] = {".sym", ".scn", ".vat", ".hmi", ".state", ".rec"};
   const std::string name = archive::folded(archive::nameOf(path));
   const bool named = std::ranges::any_of(kEndings, [&](std::string_view ending) {
     return name.size() > ending.size() && name.ends_with(ending);

@@ -86,10 +86,15 @@ TEST(Fields, NamesHaveALimit) {
   const auto items = [](std::size_t blanks) {
     return Json{{{"operand", "MW 10" + std::string(blanks, ' ')}}};
   };
-  EXPECT_EQ(bench.problem("watch.set", {{"list", 1}, {"items", items(400)}}), "P1305");
-  EXPECT_EQ(bench.problem("trend.set", {{"list", 1}, {"items", items(400)}}), "P1305");
-  EXPECT_EQ(bench.problem("variables.read", {{"items", items(400)}}), "P1305");
-  bench.call("variables.read", {{"items", items(300)}});
+  EXPECT_EQ(bench.problem("variables.unforce", {{"items", items(400)}}), "P1305");
+  for (const char* looks : {"watch.set", "trend.set", "trend.check", "variables.read"}) {
+    const auto look = [&](std::size_t blanks) {
+      return bench.call(looks, {{"list", 1}, {"items", items(blanks)}})["items"][0];
+    };
+    EXPECT_EQ(look(400)["problem"]["code"], "P1305") << looks;
+    EXPECT_EQ(look(400).value("operand", ""), "") << looks;
+    EXPECT_FALSE(look(300).contains("problem")) << looks;
+  }
 }
 
 TEST(Fields, WithoutAProjectThereIsNoPlc) {

@@ -37,6 +37,22 @@ TEST(Variables, AreWrittenAllOrNone) {
   EXPECT_EQ(read["items"][1]["raw"], 1);
 }
 
+// As a variable table of STEP 7 does it: what cannot be modified is told, the others are.
+TEST(Variables, AreWrittenEachByItself) {
+  Bench bench;
+  bench.call("variables.force", items({wish("A 0.1", "1")}));
+  Json wanted = items({wish("MW 40", "x"), wish("MW 42", "7"), wish("A 0.1", "1")});
+  wanted["each"] = true;
+  wanted["held"] = true;
+  const Json refused = bench.call("variables.write", wanted)["refused"];
+  ASSERT_EQ(refused.size(), 2u);
+  EXPECT_EQ(refused[0]["item"], 0);
+  EXPECT_EQ(refused[0]["problem"]["code"], "P0201");
+  EXPECT_EQ(refused[1]["item"], 2);
+  EXPECT_EQ(refused[1]["problem"]["code"], "P1217");
+  EXPECT_EQ(bench.call("variables.read", items({item("MW 42")}))["items"][0]["raw"], 7);
+}
+
 // As long as a finger holds it: nobody does when the page is gone. What is no bit stays.
 TEST(Variables, AHeldBitIsZeroWhenItsBrowserHasGone) {
   for (const bool held : {true, false}) {
@@ -112,6 +128,35 @@ TEST(Watch, TellsWhatOperandsAre) {
   EXPECT_EQ(list[2]["type"], "REAL");
   EXPECT_EQ(list[3]["operand"], "T 1");
   EXPECT_TRUE(list[4].contains("problem"));
+}
+
+TEST(Watch, WhatIsWrongWithOneItemLeavesTheOthers) {
+  Bench bench;
+  const Json wanted = {item("MW 40", "DEZ"), item(std::string(401, 'x')), item("MW 40")};
+  const Json list = bench.call("watch.set", {{"list", 1}, {"items", wanted}})["items"];
+  EXPECT_EQ(list[0]["problem"]["code"], "P1208");
+  EXPECT_EQ(list[1]["problem"]["code"], "P1305");
+  EXPECT_EQ(list[1]["problem"]["text"], "'operand' must be a text of at most 400 bytes");
+  EXPECT_FALSE(list[2].contains("problem"));
+  const Json values = bench.event("values")["values"];
+  EXPECT_EQ(values[0], Json::array({0, "?", nullptr}));
+  EXPECT_EQ(values[1], Json::array({1, "?", nullptr}));
+  EXPECT_EQ(values[2][2], 0);
+  const Json read = bench.call("variables.read", {{"items", wanted}})["items"];
+  EXPECT_EQ(read[0]["problem"]["code"], "P1208");
+  EXPECT_EQ(read[2]["raw"], 0);
+}
+
+// Its values would pass for those of the list that was refused.
+TEST(Watch, ARefusedListLeavesNoneOfItsNumber) {
+  Bench bench;
+  for (const char* what : {"watch.set", "trend.set"})
+    bench.call(what, {{"list", 1}, {"items", {item("MW 20")}}});
+  for (const char* what : {"watch.set", "trend.set"})
+    EXPECT_EQ(bench.problem(what, {{"list", 1}, {"items", {{{"operand", 5}}}}}), "P1305");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_TRUE(bench.event("values").is_null());
+  EXPECT_TRUE(bench.event("samples").is_null());
 }
 
 TEST(Watch, TellsChangesOnly) {

@@ -72,6 +72,27 @@ test('events reach their handlers until they end it', () => {
   expect(seen).toEqual([3]);
 });
 
+test('what is said of fields that have changed since is not told', async () => {
+  const connection = connected();
+  const told: unknown[] = [];
+  const first = { list: 1, items: [{ operand: 'a' }] };
+  const kept = connection.keep(
+    'watch.set',
+    first,
+    (result) => told.push(result),
+    'watch.drop',
+    { list: 1 },
+    (problems) => told.push(problems[0]!.code),
+  );
+  kept.update({ list: 1, items: [{ operand: 'b' }] });
+  kept.update({ list: 1, items: [{ operand: 'c' }] });
+  latest().says({ id: 1, result: 'of a' });
+  latest().says({ id: 2, problems: [{ code: 'of b' }] });
+  latest().says({ id: 3, result: 'of c' });
+  await vi.advanceTimersByTimeAsync(0);
+  expect(told).toEqual(['of c']);
+});
+
 test('a lost connection rejects what waits, comes back and subscribes again', async () => {
   const connection = connected();
   const phases: string[] = [];

@@ -135,7 +135,8 @@ export class Connection {
     return () => handlers.delete(handler);
   }
 
-  /** A subscription: sent now and after each reconnect until it is dropped. */
+  /** A subscription: sent now and after each reconnect until it is dropped. What is said of fields that have changed since is not
+   * told. */
   keep<M extends Method, D extends Method = 'ping'>(
     method: M,
     fields: FieldsOf<M>,
@@ -165,9 +166,11 @@ export class Connection {
   }
 
   private send(request: KeptRequest): void {
-    this.request(request.method, request.fields).then(
-      (result) => this.kept.has(request) && request.onResult?.(result),
-      (error: Error) => error instanceof Refused && request.onProblems?.(error.problems),
+    const { fields } = request;
+    const counts = () => this.kept.has(request) && request.fields === fields;
+    this.request(request.method, fields).then(
+      (result) => counts() && request.onResult?.(result),
+      (error: Error) => error instanceof Refused && counts() && request.onProblems?.(error.problems),
     );
   }
 

@@ -7,6 +7,8 @@ export interface Problem { code: string; severity: 'error' | 'warning'; file: st
 export interface PlcRow { plc: number; project: string; folder: string; mode: string; browsers: number }
 export interface WatchItem { operand: string; format?: string }
 export interface ModifyItem { operand: string; value: string; format?: string }
+/** `item`: its place in the list, from 0 */
+export interface RefusedItem { item: number; problem: Problem }
 export interface NamedItem { operand: string }
 /** an item with a problem stays as "?" */
 export interface WatchedItem { operand: string; symbol: string; comment: string; type: string; bits: number; format: string; problem?: Problem }
@@ -149,10 +151,10 @@ export interface Requests {
   'watch.set': { fields: { list: number; items: WatchItem[]; everyMs?: number; point?: 'begin' | 'end' | 'stop' | 'now'; once?: boolean }; result: { items: WatchedItem[] } };
   'watch.drop': { fields: { list: number }; result: Record<string, never> };
   'variables.read': { fields: { items: WatchItem[] }; result: { items: { text: string; raw: number | null; problem?: Problem }[] } };
-  /** all or none; an input sets its terminal; a held bit is 0 again when this browser disconnects */
-  'variables.write': { fields: { items: ModifyItem[]; held?: boolean }; result: Record<string, never> };
+  /** all or none; with `each` those that can be written, and `refused` names the others; an input sets its terminal; a held bit is 0 again when this browser disconnects */
+  'variables.write': { fields: { items: ModifyItem[]; held?: boolean; each?: boolean }; result: { refused: RefusedItem[] } };
   /** writes at that point of the cycle: once, or each time until it is dropped */
-  'modify.set': { fields: { list: number; items: ModifyItem[]; point: 'begin' | 'end' | 'stop'; once?: boolean }; result: Record<string, never> };
+  'modify.set': { fields: { list: number; items: ModifyItem[]; point: 'begin' | 'end' | 'stop'; once?: boolean; each?: boolean }; result: { refused: RefusedItem[] } };
   'modify.drop': { fields: { list: number }; result: Record<string, never> };
   /** all or none; overlapping operands are refused */
   'variables.force': { fields: { items: ModifyItem[] }; result: Record<string, never> };

@@ -42,6 +42,8 @@ export class WatchList {
   items = $state<Watched[]>([]);
   private readonly list = nextList++;
   private kept: Kept<'watch.set'> | null = null;
+  /** The server has answered what is wanted now: what comes before that are values of the items of before. */
+  private answered = false;
 
   constructor(private readonly everyMs = 33) {
     lists.set(this.list, this);
@@ -54,12 +56,18 @@ export class WatchList {
       const before = known.get(item.operand);
       return before ? { ...before, format: item.format } : unknown(item);
     });
+    this.answered = false;
     const fields = { list: this.list, items: wanted, everyMs: this.everyMs, point, once };
     if (this.kept) this.kept.update(fields);
     else
-      this.kept = connection.keep('watch.set', fields, (result) => this.described(result), 'watch.drop', {
-        list: this.list,
-      });
+      this.kept = connection.keep(
+        'watch.set',
+        fields,
+        (result) => this.described(result),
+        'watch.drop',
+        { list: this.list },
+        (problems) => this.refused(problems),
+      );
   }
 
   /** Whether the server has said of each item what it is. */
@@ -74,6 +82,7 @@ export class WatchList {
   }
 
   receive(message: Events['values']): void {
+    if (!this.answered) return;
     for (const [index, text, raw] of message.values) {
       const item = this.items[index];
       if (!item) continue;
@@ -83,7 +92,14 @@ export class WatchList {
     }
   }
 
+  /** Nothing of it is looked at: the rows say why. */
+  private refused([problem]: Problem[]): void {
+    this.answered = false;
+    for (const item of this.items) Object.assign(item, { problem, text: '?', raw: null, sent: false });
+  }
+
   private described(result: { items: WatchedItem[] }): void {
+    this.answered = true;
     result.items.forEach((described, index) => {
       const item = this.items[index];
       if (!item) return;

@@ -12,6 +12,8 @@ class Recorder {
   everyMs = $state(100);
   private project = '';
   private subscription: Kept<'trend.set'> | null = null;
+  /** The server has answered what is wanted now: samples before that are of the curves of before. */
+  private answered = false;
 
   constructor() {
     connection.on('samples', (message) => this.receive(message));
@@ -69,12 +71,22 @@ class Recorder {
   private subscribe(): void {
     const items = this.curves.map(({ operand }) => ({ operand }));
     const fields = { list: 1, items, everyMs: this.everyMs };
+    this.answered = false;
     if (this.subscription) this.subscription.update(fields);
-    else this.subscription = connection.keep('trend.set', fields, (result) => this.described(result));
+    else
+      this.subscription = connection.keep(
+        'trend.set',
+        fields,
+        (result) => this.described(result),
+        'trend.drop',
+        { list: 1 },
+        ([problem]) => (this.curves = this.curves.map((curve) => ({ ...curve, problem }))),
+      );
   }
 
   private described(result: { items: CurveItem[] }): void {
     if (result.items.length !== this.curves.length) return;
+    this.answered = true;
     this.curves = this.curves.map((curve, index) => {
       const { operand: address, ...rest } = result.items[index]!;
       return { ...curve, problem: undefined, ...rest, address };
@@ -82,7 +94,7 @@ class Recorder {
   }
 
   private receive({ list, rows }: Events['samples']): void {
-    if (list !== 1 || rows[0]?.length !== this.curves.length + 1) return;
+    if (list !== 1 || !this.answered || rows[0]?.length !== this.curves.length + 1) return;
     this.columns = append(this.columns, rows);
   }
 }

@@ -1,39 +1,63 @@
-import { connection, type Kept } from '../connection';
+import { connection, Refused, type Kept } from '../connection';
+import type { RefusedItem } from '../connection/protocol';
+import { told } from '../i18n';
 import { attempt, messages } from '../state/messages.svelte';
 import { beyond, typeOf } from '../state/number_range';
-import { refuse } from '../state/refuse';
+import { beyondText } from '../state/refuse';
 import type { Point, Trigger } from './triggers';
 
-interface Wish {
+export interface Wish {
   operand: string;
   format: string;
   value: string;
 }
 
-const LIST = 1;
+export interface Refusal<W extends Wish> {
+  wish: W;
+  reason: string;
+}
 
-/** Modifies at once, or at a trigger point as long as it is wanted. */
-export class Modifier {
+const LIST = 1;
+const plain = ({ operand, format, value }: Wish): Wish => ({ operand, format, value });
+
+/** Modifies at once, or at a trigger point as long as it is wanted: each value by itself. */
+export class Modifier<W extends Wish> {
   /** Where it modifies; null: nowhere. */
   point = $state<Point | null>(null);
   private kept: Kept<'modify.set'> | null = null;
   private readonly forget: () => void;
 
-  constructor(private readonly onmodified: () => void) {
+  constructor(
+    private readonly onmodified: () => void,
+    /** These were left out; the others are written. `method`: what refused them. */
+    private readonly onrefused: (refused: Refusal<W>[], method: string) => void,
+  ) {
     this.forget = connection.on('modified', (message) => message.list === LIST && this.done());
   }
 
-  modify(items: Wish[], { point, once }: Trigger): void {
+  /** All of them. */
+  modify(wishes: W[], trigger: Trigger): void {
     this.stop();
-    const refused = items.flatMap((one) => beyond({ ...one, type: typeOf(one.operand, one.format) }));
-    if (refused.length > 0) return refuse(refused);
-    if (point === 'now') return void attempt(connection.ask('variables.write', { items }));
-    this.point = point;
-    const fields = { list: LIST, items, point, once };
-    this.kept = connection.keep('modify.set', fields, undefined, 'modify.drop', { list: LIST }, (problems) => {
-      messages.problems(problems);
-      this.stop();
-    });
+    if (trigger.point === 'now') void this.write(wishes);
+    else this.keep(wishes, trigger as Trigger & { point: Exclude<Point, 'now'> });
+  }
+
+  /** At once; what goes on at a trigger point goes on. */
+  async write(wishes: W[]): Promise<void> {
+    const { good, tooLarge } = sorted(wishes);
+    const items = good.map(plain);
+    const answer =
+      items.length > 0 ? await attempt(connection.ask('variables.write', { items, each: true })) : { refused: [] };
+    this.tell([...tooLarge, ...named(good, answer?.refused ?? [])], 'variables.write');
+  }
+
+  async force(wish: W): Promise<void> {
+    try {
+      await connection.ask('variables.force', { items: [plain(wish)] });
+    } catch (error) {
+      if (!(error instanceof Refused)) return;
+      this.tell([{ wish, reason: told(error.problems[0]!) }], 'variables.force');
+    }
   }
 
   stop(): void {
@@ -47,8 +71,46 @@ export class Modifier {
     this.forget();
   }
 
+  private keep(wishes: W[], { point, once }: Trigger & { point: Exclude<Point, 'now'> }): void {
+    const { good, tooLarge } = sorted(wishes);
+    this.tell(tooLarge, 'modify.set');
+    if (good.length === 0) return;
+    this.point = point;
+    const fields = { list: LIST, items: good.map(plain), point, once, each: true };
+    this.kept = connection.keep(
+      'modify.set',
+      fields,
+      ({ refused }) => this.tell(named(good, refused), 'modify.set'),
+      'modify.drop',
+      { list: LIST },
+      (problems) => {
+        messages.problems(problems);
+        this.stop();
+      },
+    );
+  }
+
+  private tell(refused: Refusal<W>[], method: string): void {
+    if (refused.length > 0) this.onrefused(refused, method);
+  }
+
   private done(): void {
     this.stop();
     this.onmodified();
   }
 }
+
+/** What the page knows to be too large is not sent. */
+function sorted<W extends Wish>(wishes: W[]): { good: W[]; tooLarge: Refusal<W>[] } {
+  const found = wishes.map((wish) => ({
+    wish,
+    beyond: beyond({ ...wish, type: typeOf(wish.operand, wish.format) })[0],
+  }));
+  return {
+    good: found.filter((one) => !one.beyond).map(({ wish }) => wish),
+    tooLarge: found.flatMap(({ wish, beyond }) => (beyond ? [{ wish, reason: beyondText(beyond) }] : [])),
+  };
+}
+
+const named = <W extends Wish>(wishes: W[], refused: RefusedItem[]): Refusal<W>[] =>
+  refused.map(({ item, problem }) => ({ wish: wishes[item]!, reason: told(problem) }));

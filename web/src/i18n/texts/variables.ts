@@ -80,5 +80,10 @@ export const variables = {
   modifying: ['Steuern: {point}', 'Modify: {point}'],
   stopModify: ['Steuern beenden', 'Stop modifying'],
   modified: ['Steuerwerte geschrieben.', 'Modify values written.'],
+  notModified: ['Zeile {row}, {operand}: {reason}', 'Row {row}, {operand}: {reason}'],
+  moreNotModified: [
+    '{count} weitere Zeilen sind nicht gesteuert worden; sie sind markiert.',
+    '{count} more rows have not been modified; they are marked.',
+  ],
   noValue: ['Erst einen Steuerwert eintragen.', 'Enter a modify value first.'],
 } satisfies Texts;
