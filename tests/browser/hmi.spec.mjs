@@ -264,3 +264,52 @@ test('with the mouse: Ctrl and Shift click, a frame, all of them dragged', async
     await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
   }
 });
+
+const choose = async (name, text) => {
+  writeFileSync(join(project, `${name}.hmi`), text);
+  await until(() => page.getByLabel('Bild').locator('option').allInnerTexts().then((all) => all.includes(name)), name);
+  await page.getByLabel('Bild').selectOption(`${name}.hmi`);
+};
+const valueOf = (operand) => page.locator(`[data-operand="${operand}"]`).first().getAttribute('data-value');
+
+test('a number and a bar have a format of their own', async () => {
+  await write(page, { 'MD 34': '3.75' });
+  await choose('Zahl', 'number ; 20 ; 20 ; 150 ; 40 ; MD 34\nbar ; 200 ; 20 ; 30 ; 140 ; MD 34 ; ; 0 ; 10\n');
+  await expect(() => valueOf('MD 34'), '1081081856');
+  for (const kind of ['number', 'bar']) {
+    await grip(kind).focus();
+    await properties.getByLabel('Anzeigeformat').selectOption('REAL');
+  }
+  await expect(() => valueOf('MD 34'), '3,75');
+  const filled = () => item('bar').locator('.fill').evaluate((one) => Math.round((one.height.baseVal.value / 136) * 1000));
+  await expect(filled, 375, 'thousandths of the bar');
+  const lines = () => readFileSync(join(project, 'Zahl.hmi'), 'utf-8').split('\n').slice(1, 3).join('|');
+  await expect(lines, 'number ; 20 ; 20 ; 150 ; 40 ; MD 34 ;  ;  ;  ; REAL|bar ; 200 ; 20 ; 30 ; 140 ; MD 34 ;  ; 0 ; 10 ; REAL');
+  await accessible(page, 'a format');
+  await page.getByRole('switch', { name: 'Bearbeiten' }).press('Space');
+  const field = page.getByLabel('Neuer Wert von MD 34');
+  await field.fill('2,5');
+  await field.press('Enter');
+  await expect(() => valueOf('MD 34'), '2,5');
+  await page.getByRole('switch', { name: 'Bearbeiten' }).press('Space');
+  await item('bar').waitFor();
+  await page.keyboard.press('Control+z');
+  await expect(lines, 'number ; 20 ; 20 ; 150 ; 40 ; MD 34 ;  ;  ;  ; REAL|bar ; 200 ; 20 ; 30 ; 140 ; MD 34 ; ; 0 ; 10');
+});
+
+test('a symbol that cannot be watched leaves the others', async () => {
+  await write(page, { 'MW 700': 77 });
+  await choose('Lang', `lamp ; 20 ; 20 ; 40 ; 40 ; ${'x'.repeat(450)}\nnumber ; 200 ; 20 ; 110 ; 40 ; MW 700\n`);
+  await expect(() => valueOf('MW 700'), '77');
+  await page.locator('.item.lamp.wrong[title*="400"]').waitFor();
+});
+
+test('a file that cannot be read shows why, and not the picture before', async () => {
+  await choose('Null', 'lamp ; 20 ; 20 ; 40 ; 40 ; A 0.0\0\n');
+  await page.getByText(/^Null\.hmi kann nicht gezeigt werden: /).waitFor();
+  assert.equal(await page.locator('[data-item]').count(), 0);
+  assert.equal(await page.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).count(), 0);
+  await accessible(page, 'unreadable picture');
+  writeFileSync(join(project, 'Null.hmi'), 'lamp ; 20 ; 20 ; 40 ; 40 ; A 0.0\n');
+  await item('lamp').waitFor();
+});

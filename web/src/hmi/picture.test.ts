@@ -1,17 +1,21 @@
 import { expect, test } from 'vitest';
 import { language } from '../i18n';
 import {
+  amount,
   constantOf,
   declared,
   fresh,
   HEIGHT,
   level,
+  MOST,
   parsePicture,
   picturePath,
   placed,
   plainNumber,
   printPicture,
+  shownNumber,
   signed,
+  typedIn,
   WIDTH,
   type Item,
 } from './picture';
@@ -26,16 +30,28 @@ const tank: Item = {
   text: 'Tank 1',
   from: 0,
   to: 27648,
+  format: 'AUTO',
 };
-const lamp: Item = { kind: 'lamp', x: 200, y: 20, width: 40, height: 40, operand: 'A 1.0', text: '', from: 0, to: 100 };
+const lamp: Item = {
+  kind: 'lamp',
+  x: 200,
+  y: 20,
+  width: 40,
+  height: 40,
+  operand: 'A 1.0',
+  text: '',
+  from: 0,
+  to: 100,
+  format: 'AUTO',
+};
 
 test('a picture comes back as it was written', () => {
   const text = printPicture([tank, lamp]);
   expect(text).toBe(
-    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n' +
+    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to ; format\n' +
       'tank ; 40 ; 20 ; 90 ; 140 ; "Level" ; Tank 1 ; 0 ; 27648\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\n',
   );
-  expect(parsePicture(text)).toEqual({ items: [tank, lamp], wrong: [], end: [] });
+  expect(parsePicture(text)).toEqual({ items: [tank, lamp], wrong: [], beyond: 0, end: [] });
   const odd = { ...lamp, operand: '"a;b"', text: 'one; two "three"\nfour' };
   expect(parsePicture(printPicture([odd])).items[0]).toMatchObject({ operand: '"a;b"', text: "one; two 'three' four" });
 });
@@ -49,10 +65,12 @@ test('what is no symbol is named by its line; what is out of the picture is brou
         x: WIDTH - 40,
         y: 0,
         height: 20,
+        written: 'lamp ; 5000 ; -20 ; 44 ; 3',
         above: ['// head', '', 'tank ; 1', 'wheel ; 0 ; 0 ; 10 ; 10'],
       },
     ],
     wrong: [3, 4],
+    beyond: 0,
     end: [],
   });
   expect(placed({ ...tank, y: 9999 }).y).toBe(HEIGHT - 140);
@@ -60,9 +78,52 @@ test('what is no symbol is named by its line; what is out of the picture is brou
 
 test('comments and lines that are no symbol stay where they are', () => {
   const text =
-    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n// Line 1\n\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\nwheel ; 3\n// end\n';
+    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to ; format\n// Line 1\n\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\nwheel ; 3\n// end\n';
   const { items, end } = parsePicture(text);
   expect(printPicture(items, end)).toBe(text);
+});
+
+test('a file without formats stays readable; a symbol is written anew only when it is changed', () => {
+  const lines = [
+    'tank;40;20;90;140;MW 10;;0;1e3',
+    'text ; 9999 ; 20 ; 10 ; 10 ; ; A',
+    'bar ; 20 ; 20 ; 30 ; 140 ; MW 2 ; ; 1e400',
+  ];
+  const old = `// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n${lines.join('\n')}\n`;
+  const { items, wrong, end } = parsePicture(old);
+  expect(items.map(({ format }) => format)).toEqual(['AUTO', 'AUTO']);
+  expect(wrong).toEqual([4]);
+  const head = '// kind ; x ; y ; width ; height ; operand ; text ; from ; to ; format';
+  expect(printPicture(items, end).split('\n')).toEqual([head, ...lines, '']);
+  const changed = items.map((item) => ({ ...item, y: 30 }));
+  expect(printPicture(changed, end).split('\n').slice(1, 3)).toEqual([
+    'tank ; 40 ; 30 ; 90 ; 140 ; MW 10 ;  ; 0 ; 1000',
+    `text ; ${WIDTH - 20} ; 30 ; 20 ; 20 ;  ; A`,
+  ]);
+});
+
+test('symbols beyond the most are counted, and stay in the file', () => {
+  const text = printPicture(Array(MOST).fill(lamp)) + 'lamp ; 0 ; 0 ; 40 ; 40\n'.repeat(200);
+  const { items, wrong, beyond, end } = parsePicture(text);
+  expect([items.length, wrong, beyond]).toEqual([MOST, [], 200]);
+  expect(printPicture(items, end)).toBe(text);
+});
+
+test('a number and a level have the format that they are given', () => {
+  const number: Item = { ...lamp, kind: 'number', operand: 'MD 34', format: 'REAL' };
+  const text = printPicture([number, { ...tank, format: 'UDEC' }]);
+  expect(text).toContain('number ; 200 ; 20 ; 40 ; 40 ; MD 34 ;  ;  ;  ; REAL\n');
+  expect(text).toContain('; 0 ; 27648 ; UDEC\n');
+  expect(parsePicture(text).items.map(({ format }) => format)).toEqual(['REAL', 'UDEC']);
+  expect(amount(65535, 16, 'WORD', 'DEC')).toBe(-1);
+  expect(amount(65535, 16, 'INT', 'UDEC')).toBe(65535);
+  expect(amount(65535, 16, 'INT', 'AUTO')).toBe(-1);
+  expect(shownNumber('W#16#00FF', 255, 16, 'INT', 'HEX')).toBe('W#16#00FF');
+  expect(shownNumber('W#16#00FF', 255, 16, 'INT', 'AUTO')).toBe('255');
+  language.value = 'de';
+  expect(shownNumber('3.750000e+000', 3.75, 32, '', 'REAL')).toBe('3,75');
+  expect(typedIn('2,5', '3.750000e+000', '', 'REAL')).toEqual({ value: '2.5', format: 'REAL' });
+  expect(typedIn('00FF', 'W#16#0000', '', 'HEX')).toEqual({ value: '00FF', format: 'HEX' });
 });
 
 test('an operator types what the number shows', () => {

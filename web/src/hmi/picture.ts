@@ -1,4 +1,5 @@
-// Pictures of a plant as text files of the project, one symbol a line: kind ; x ; y ; width ; height ; operand ; text ; from ; to
+// Pictures of a plant as text files of the project, one symbol a line:
+// kind ; x ; y ; width ; height ; operand ; text ; from ; to ; format
 // docs/formats/picture.md
 import { inNumbers } from '../i18n';
 
@@ -22,6 +23,10 @@ export interface Item {
   /** Of a level: empty and full. */
   from: number;
   to: number;
+  /** Of a number and a level, as in a variable table: AUTO is what the operand is declared as. */
+  format: string;
+  /** The line of the file, where the page writes it otherwise: it stays until the symbol is changed. */
+  written?: string;
   /** Lines of the file before it that are no symbol: comments, empty ones. */
   above?: string[];
 }
@@ -38,8 +43,10 @@ const sizes: Record<Kind, readonly [width: number, height: number]> = {
   bar: [30, 140],
   text: [160, 30],
 };
-const HEAD = '// kind ; x ; y ; width ; height ; operand ; text ; from ; to';
+const OLD_HEAD = '// kind ; x ; y ; width ; height ; operand ; text ; from ; to';
+const HEAD = `${OLD_HEAD} ; format`;
 export const hasLevel = (kind: Kind): boolean => kind === 'tank' || kind === 'bar';
+export const hasFormat = (kind: Kind): boolean => kind === 'number' || hasLevel(kind);
 
 export const onGrid = (value: number): number => Math.round(value / GRID) * GRID;
 export const within = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
@@ -60,7 +67,7 @@ export function placed(item: Item): Item {
 /** Where nothing lies yet, row by row; else in the middle. */
 export function fresh(kind: Kind, items: readonly Item[]): Item {
   const [width, height] = sizes[kind];
-  const item = { kind, x: 0, y: 0, width, height, operand: '', text: '', from: 0, to: 100 };
+  const item = { kind, x: 0, y: 0, width, height, operand: '', text: '', from: 0, to: 100, format: 'AUTO' };
   // With room for a caption.
   const room = 2 * GRID;
   const apart = (one: Item, x: number, y: number) =>
@@ -81,32 +88,46 @@ const one = (text: string): string => text.replace(/[\r\n]+/g, ' ').trim();
 
 /** `end`: the lines below the last symbol. */
 export function printPicture(items: readonly Item[], end: readonly string[] = []): string {
-  const line = ({ kind, x, y, width, height, operand, text, from, to }: Item): string =>
-    [kind, x, y, width, height, quoted(one(operand)), quoted(one(text)), ...(hasLevel(kind) ? [from, to] : [])]
-      .join(' ; ')
-      .replace(/[ ;]+$/, '');
-  return [HEAD, ...items.flatMap((item) => [...(item.above ?? []), line(item)]), ...end, ''].join('\n');
+  return [HEAD, ...items.flatMap((item) => [...(item.above ?? []), keptLine(item)]), ...end, ''].join('\n');
 }
 
-/** The file may have been written by hand: lines that should be symbols come back by their numbers; all lines stay in the file. */
-export function parsePicture(text: string): { items: Item[]; wrong: number[]; end: string[] } {
+function printed({ kind, x, y, width, height, operand, text, from, to, format }: Item): string {
+  const levels = hasLevel(kind) ? [from, to] : ['', ''];
+  const last = hasFormat(kind) && format !== 'AUTO' ? one(format) : '';
+  return [kind, x, y, width, height, quoted(one(operand)), quoted(one(text)), ...levels, last]
+    .join(' ; ')
+    .replace(/[ ;]+$/, '');
+}
+
+/** As somebody wrote it, as long as it means the symbol that is there. */
+function keptLine(item: Item): string {
+  const was = item.written === undefined ? undefined : parsed(item.written);
+  return was && printed(was) === printed(item) ? item.written! : printed(item);
+}
+
+/** The file may have been written by hand: lines that should be symbols come back by their numbers, those beyond the most symbols by
+ * how many they are; all lines stay in the file. */
+export function parsePicture(text: string): { items: Item[]; wrong: number[]; beyond: number; end: string[] } {
   const items: Item[] = [];
   const wrong: number[] = [];
+  let beyond = 0;
   let others: string[] = [];
   text.split(/\r?\n/).forEach((line, index) => {
-    if (line.trim() === HEAD) return;
+    if ([HEAD, OLD_HEAD].includes(line.trim())) return;
     const plain = line.trim() === '' || line.trim().startsWith('//');
-    const item = plain || items.length === MOST ? undefined : parsed(line);
-    if (item) {
-      items.push(others.length > 0 ? { ...item, above: others } : item);
+    const item = plain ? undefined : parsed(line);
+    if (item && items.length < MOST) {
+      const written = printed(item) === line.trimEnd() ? {} : { written: line.trimEnd() };
+      items.push({ ...item, ...written, ...(others.length > 0 ? { above: others } : {}) });
       others = [];
     } else {
       others.push(line.trimEnd());
-      if (!plain) wrong.push(index + 1);
+      if (item) beyond++;
+      else if (!plain) wrong.push(index + 1);
     }
   });
   while (others.at(-1) === '') others.pop();
-  return { items, wrong, end: others };
+  return { items, wrong, beyond, end: others };
 }
 
 function parsed(line: string): Item | undefined {
@@ -114,7 +135,9 @@ function parsed(line: string): Item | undefined {
     (list, part) => (part === ';' ? [...list, ''] : [...list.slice(0, -1), list.at(-1)! + part]),
     [''],
   );
-  const [kind = '', x, y, width, height, operand = '', text = '', from, to] = fields.map((field) => field.trim());
+  const [kind = '', x, y, width, height, operand = '', text = '', from, to, format = ''] = fields.map((field) =>
+    field.trim(),
+  );
   const number = (field: string | undefined, otherwise?: number): number =>
     field ? Number(field) : (otherwise ?? Number.NaN);
   const item = {
@@ -127,8 +150,10 @@ function parsed(line: string): Item | undefined {
     text: /^".*;.*"$/.test(text) ? text.slice(1, -1) : text,
     from: number(from, 0),
     to: number(to, 100),
+    format: format.toUpperCase() || 'AUTO',
   };
-  const good = kinds.includes(item.kind) && Object.values(item).every((value) => !Number.isNaN(value));
+  const good =
+    kinds.includes(item.kind) && Object.values(item).every((one) => typeof one === 'string' || Number.isFinite(one));
   return good ? placed(item) : undefined;
 }
 
@@ -141,6 +166,17 @@ export function level({ from, to }: Pick<Item, 'from' | 'to'>, value: number | n
 export function signed(raw: number | null, bits: number, type: string): number | null {
   if (raw === null || /REAL|WORD|BYTE|BOOL|CHAR/i.test(type) || bits <= 8 || bits > 32) return raw;
   return Number.isInteger(raw) && raw >= 2 ** (bits - 1) ? raw - 2 ** bits : raw;
+}
+
+/** What a level fills to: the value in its format. */
+export function amount(raw: number | null, bits: number, type: string, format: string): number | null {
+  if (format === 'AUTO') return signed(raw, bits, type);
+  return format === 'DEC' ? signed(raw, bits, '') : raw;
+}
+
+/** The value of a number in its format; without one as people read it. */
+export function shownNumber(text: string, raw: number | null, bits: number, type: string, format: string): string {
+  return format === 'AUTO' || format === 'REAL' ? plainNumber(text, raw, bits, type) : text;
 }
 
 /** The type that somebody declared: an address without a symbol has only a width. */
@@ -167,6 +203,12 @@ export function constantOf(typed: string, shown: string, type: string): { value:
   if (/^(STRING|CHAR)/i.test(type) && !value.startsWith("'")) return { value: `'${value}'`, format: 'AUTO' };
   const prefix = /^[A-Z0-9]+#(?!16#)/i.exec(shown)?.[0] ?? '';
   return { value: value.includes('#') ? value : prefix + value, format: 'AUTO' };
+}
+
+/** The same for a number that has a format. */
+export function typedIn(typed: string, shown: string, type: string, format: string): { value: string; format: string } {
+  if (format === 'AUTO') return constantOf(typed, shown, type);
+  return { value: format === 'REAL' ? constantOf(typed, '', 'REAL').value : typed.trim(), format };
 }
 
 /** A path for a picture that a user named. */

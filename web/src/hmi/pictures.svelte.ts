@@ -1,6 +1,7 @@
 // The picture that is open: each change is saved at once, and can be undone.
-import { connection } from '../connection';
+import { connection, Refused } from '../connection';
 import { attempt } from '../state/messages.svelte';
+import { told } from '../i18n';
 import { parsePicture, placed, printPicture, type Item } from './picture';
 
 const MOST_UNDO = 100;
@@ -9,9 +10,14 @@ export class OpenPicture {
   items = $state.raw<Item[]>([]);
   /** Lines of the file that are no symbol. */
   wrong = $state.raw<number[]>([]);
+  /** Symbols that are too many: they are in the file only. */
+  beyond = $state(0);
   undos = $state(0);
   /** What is shown and written; none until a file has been read. */
   path = $state('');
+  /** Why the file that is wanted cannot be read; empty: it has been, or nothing has come yet. */
+  why = $state('');
+  private wanted = '';
   private revision = 0;
   private end: string[] = [];
   private before: Item[][] = [];
@@ -21,13 +27,31 @@ export class OpenPicture {
   /** Reads it again as well: another browser may have changed it. */
   async read(path: string): Promise<void> {
     if (this.unsaved > 0 && path === this.path) return;
-    const stored = await attempt(connection.ask('files.read', { path }));
-    if (!stored || (path === this.path && stored.revision === this.revision) || this.unsaved > 0) return;
+    this.wanted = path;
+    let stored;
+    try {
+      stored = await connection.ask('files.read', { path });
+    } catch (error) {
+      if (error instanceof Refused && path === this.wanted) this.close(told(error.problems[0]!));
+      return;
+    }
+    if (path !== this.wanted || (path === this.path && stored.revision === this.revision) || this.unsaved > 0) return;
+    this.why = '';
     if (path !== this.path) this.before = [];
     this.undos = this.before.length;
     this.path = path;
     this.revision = stored.revision;
-    ({ items: this.items, wrong: this.wrong, end: this.end } = parsePicture(stored.text));
+    ({ items: this.items, wrong: this.wrong, beyond: this.beyond, end: this.end } = parsePicture(stored.text));
+  }
+
+  /** Nothing is shown: what was there before is another picture, or what this one no longer is. */
+  private close(why: string): void {
+    this.path = '';
+    this.why = why;
+    this.before = [];
+    this.undos = this.beyond = 0;
+    this.items = [];
+    this.wrong = [];
   }
 
   change(items: Item[]): void {

@@ -12,6 +12,7 @@ const lamp = (x: number, y: number, text = ''): Item => ({
   text,
   from: 0,
   to: 100,
+  format: 'AUTO',
 });
 const items = [lamp(20, 20, 'a'), lamp(100, 60, 'b'), lamp(200, 300, 'c')];
 const places = (some: readonly Item[]) => some.map(({ x, y }) => `${x},${y}`).join(' ');

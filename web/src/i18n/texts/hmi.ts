@@ -24,6 +24,8 @@ export const hmi = {
   alignTop: ['Oben ausrichten', 'Align at the top'],
   most: ['Ein Bild hat höchstens {count} Symbole.', 'A picture has at most {count} symbols.'],
   operand: ['Operand oder Symbol', 'Operand or symbol'],
+  format: ['Anzeigeformat', 'Display format'],
+  formatAuto: ['AUTO (Datentyp des Symbols)', 'AUTO (data type of the symbol)'],
   text: ['Beschriftung', 'Caption'],
   from: ['Leer bei', 'Empty at'],
   to: ['Voll bei', 'Full at'],
@@ -44,7 +46,16 @@ export const hmi = {
   number: ['Zahl', 'Number'],
   bar: ['Balken', 'Bar'],
   label: ['Text', 'Text'],
-  wrong: ['Zeile {lines} der Datei ist kein Symbol.', 'Line {lines} of the file is no symbol.'],
+  wrong: [
+    '{count|Zeile|Zeilen} {lines} der Datei {count|ist kein Symbol|sind keine Symbole}.',
+    '{count|Line|Lines} {lines} of the file {count|is no symbol|are no symbols}.',
+  ],
+  wrongMore: ['{lines} und {count} weitere', '{lines} and {count} more'],
+  beyond: [
+    'Ein Bild hat höchstens {most} Symbole: {count} {count|weiteres steht|weitere stehen} nur in der Datei.',
+    'A picture has at most {most} symbols: {count} more {count|is|are} only in the file.',
+  ],
+  unreadable: ['{path} kann nicht gezeigt werden: {reason}', '{path} cannot be shown: {reason}'],
   write: ['Neuer Wert von {name}', 'New value of {name}'],
   open: ['Bilder …', 'Pictures …'],
 } satisfies Texts;
