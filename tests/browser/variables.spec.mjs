@@ -227,7 +227,7 @@ const bars = () => page.locator('.message').allInnerTexts();
 
 test('what cannot be modified is marked and named, the others are written', async () => {
   await fresh();
-  for (const operand of ['A 124.3', 'MW 60', 'MW 62', 'MD 64']) await type(operand);
+  for (const operand of ['A 124.3', 'MW 150', 'MW 152', 'MD 154']) await type(operand);
   await row('A 124.3').getByRole('button', { name: /forcen$/ }).click();
   await message(page, 'Zeile 1, A 124.3: Erst einen Steuerwert eintragen.');
   await modifyValue('A 124.3').fill('1');
@@ -235,26 +235,26 @@ test('what cannot be modified is marked and named, the others are written', asyn
   await row('A 124.3').locator('.mark b').waitFor();
   await expect(async () => (await bars()).length, 0, 'what was refused is done');
 
-  await modifyValue('MW 60').fill('abc');
-  await modifyValue('MW 62').fill('7');
-  await row('MD 64').locator('select').selectOption('REAL');
-  await modifyValue('MD 64').fill('2,5x');
+  await modifyValue('MW 150').fill('abc');
+  await modifyValue('MW 152').fill('7');
+  await row('MD 154').locator('select').selectOption('REAL');
+  await modifyValue('MD 154').fill('2,5x');
   for (let time = 0; time < 2; time++) {
     await page.getByRole('button', { name: 'Steuern', exact: true }).click();
     await message(page, /^Zeile 1, A 124.3: .*geforcet/);
-    await message(page, /^Zeile 2, MW 60: .*abc/);
-    await message(page, /^Zeile 4, MD 64: .*2,5x/);
+    await message(page, /^Zeile 2, MW 150: .*abc/);
+    await message(page, /^Zeile 4, MD 154: .*2,5x/);
     assert.equal((await bars()).length, 3);
-    await expect(async () => (await status('MW 62')).includes('7'), true);
-    await modifyValue('MW 62').fill('7');
+    await expect(async () => (await status('MW 152')).includes('7'), true);
+    await modifyValue('MW 152').fill('7');
   }
   const marked = () => page.locator('.modify input[aria-invalid=true]').evaluateAll((all) => all.map((one) => one.closest('tr').dataset.operand));
-  assert.deepEqual(await marked(), ['A 124.3', 'MW 60', 'MD 64']);
+  assert.deepEqual(await marked(), ['A 124.3', 'MW 150', 'MD 154']);
   await accessible(page, 'refused modify values');
-  await modifyValue('MW 60').fill('8');
-  await expect(async () => (await marked()).join(), 'A 124.3,MD 64');
-  await modifyValue('MW 60').press('Enter');
-  await expect(async () => (await status('MW 60')).includes('8'), true);
+  await modifyValue('MW 150').fill('8');
+  await expect(async () => (await marked()).join(), 'A 124.3,MD 154');
+  await modifyValue('MW 150').press('Enter');
+  await expect(async () => (await status('MW 150')).includes('8'), true);
   await page.getByRole('button', { name: 'Alle aufheben' }).click();
   await fresh();
 });
@@ -267,15 +267,15 @@ test('a row that cannot be monitored leaves the others, and no value of another 
     await files.selectOption(name);
     await row(operand).waitFor();
   };
-  await write(page, { 'MW 600': 1111, 'MW 602': 2222, 'MW 606': 3333 });
-  await table('good.vat', 'MW 600 ; DEC\nMW 602 ; DEC\n', 'MW 602');
-  await expect(() => status('MW 602'), '2222');
-  await table('bad.vat', 'MW 604 ; DEZ\nMW 606 ; DEC\n', 'MW 606');
-  await expect(() => status('MW 606'), '3333');
-  await row('MW 604').getByText('„DEZ“ ist kein Anzeigeformat').waitFor();
-  assert.equal(await status('MW 604'), '?');
-  await table('long.vat', `${'x'.repeat(401)}\nMW 600 ; DEC\n`, 'MW 600');
-  await expect(() => status('MW 600'), '1111');
+  await write(page, { 'MW 180': 1111, 'MW 182': 2222, 'MW 186': 3333 });
+  await table('good.vat', 'MW 180 ; DEC\nMW 182 ; DEC\n', 'MW 182');
+  await expect(() => status('MW 182'), '2222');
+  await table('bad.vat', 'MW 184 ; DEZ\nMW 186 ; DEC\n', 'MW 186');
+  await expect(() => status('MW 186'), '3333');
+  await row('MW 184').getByText('„DEZ“ ist kein Anzeigeformat').waitFor();
+  assert.equal(await status('MW 184'), '?');
+  await table('long.vat', `${'x'.repeat(401)}\nMW 180 ; DEC\n`, 'MW 180');
+  await expect(() => status('MW 180'), '1111');
   await page.locator('tbody tr').first().getByText('400').waitFor();
   await files.selectOption('');
 });
