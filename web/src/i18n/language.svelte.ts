@@ -1,3 +1,4 @@
+import { among } from '../state/alike';
 import { kept } from '../state/kept.svelte';
 
 export type Language = 'de' | 'en';
@@ -6,4 +7,4 @@ function preferred(): Language {
   return typeof navigator !== 'undefined' && /^de/i.test(navigator.language) ? 'de' : 'en';
 }
 
-export const language = kept<Language>('language', preferred());
+export const language = kept<Language>('language', preferred(), among('de', 'en'));

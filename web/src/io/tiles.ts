@@ -1,5 +1,7 @@
 // Which operand a tile shows and what can be done with it. Both mnemonics: E/I, A/Q, Z/C.
 
+import { among, isText, objectOf } from '../state/alike';
+
 export type TileKind = 'channels' | 'value' | 'timer' | 'counter';
 
 export interface Tile {
@@ -8,6 +10,13 @@ export interface Tile {
   bits: 8 | 16 | 32;
   format: string;
 }
+
+export const isTile = objectOf({
+  operand: isText,
+  kind: among('channels', 'value', 'timer', 'counter'),
+  bits: among(8, 16, 32),
+  format: isText,
+});
 
 const WIDTH = { B: 8, W: 16, D: 32 } as const;
 /** "eb0" is the tile EB 0; undefined is no operand that a tile can show. */

@@ -1,6 +1,18 @@
-/** A value of this browser that outlives a reload: language, theme, tiles. */
-export function kept<T>(key: string, otherwise: T): { value: T } {
-  let value = $state(read(key, otherwise));
+import { alike, goodOnes, isRecord, type Good } from './alike';
+
+/** A value of this browser that outlives a reload: language, theme, tiles. What is stored and is `good` counts: another version of the
+ * page, or a hand, may have written it. */
+export function kept<T>(key: string, otherwise: T, good: Good = alike(otherwise)): { value: T } {
+  return holding(key, read(key, otherwise, good));
+}
+
+/** Values by name: of a project, of a plant. A bad one goes alone. */
+export function keptByName<V>(key: string, good: Good): { value: Record<string, V> } {
+  return holding(key, goodOnes(read(key, {}, isRecord), good) as Record<string, V>);
+}
+
+function holding<T>(key: string, first: T): { value: T } {
+  let value = $state(first);
   return {
     get value() {
       return value;
@@ -16,10 +28,11 @@ export function kept<T>(key: string, otherwise: T): { value: T } {
   };
 }
 
-function read<T>(key: string, otherwise: T): T {
+function read<T>(key: string, otherwise: T, good: Good): T {
   try {
     const text = localStorage.getItem(`merker.${key}`);
-    return text === null ? otherwise : (JSON.parse(text) as T);
+    const stored: unknown = text === null ? otherwise : JSON.parse(text);
+    return good(stored) ? (stored as T) : otherwise;
   } catch {
     return otherwise;
   }

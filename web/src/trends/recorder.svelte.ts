@@ -1,9 +1,13 @@
 import { connection, type Events, type Kept } from '../connection';
 import type { CurveItem } from '../connection/protocol';
-import { kept } from '../state/kept.svelte';
+import { isNumber, isText, listOf, objectOf } from '../state/alike';
+import { keptByName } from '../state/kept.svelte';
 import { append, type Columns, type Curve } from './curves';
 
-const choices = kept<Record<string, { operands: string[]; everyMs: number }>>('trends', {});
+const choices = keptByName<{ operands: string[]; everyMs: number }>(
+  'trends',
+  objectOf({ operands: listOf(isText), everyMs: isNumber }),
+);
 
 /** Curves being recorded: they go on while the view is closed, so that nothing is missed. */
 class Recorder {

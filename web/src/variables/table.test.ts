@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { parseTable, pastedRows, printTable, rangeOf, tablePath } from './table';
+import { hasOperand, parseTable, pastedRows, printTable, rangeOf, tablePath } from './table';
 import { unread } from './unread';
 
 const rows = [
@@ -28,6 +28,15 @@ test('comments and empty lines between the operands stay', () => {
   expect(printTable(parseTable(lines))).toBe(`// operand ; format ; modify value\n${lines}`);
   const triggers = '// trigger: monitor begin every; modify now every';
   expect(printTable(parseTable(printTable(parseTable(lines), triggers)), triggers).match(/trigger/g)).toHaveLength(1);
+});
+
+test('what is not understood stays: trigger lines that say nothing, lines without an operand', () => {
+  const lines =
+    '// trigger: monitor nix every; modify now once\nMW 10 ; DEC\n; ; ;\n// trigger: what?\nMW 12 ; DEC\n; HEX\n';
+  expect(printTable(parseTable(lines))).toBe(`// operand ; format ; modify value\n${lines}`);
+  expect(parseTable(lines).filter(hasOperand)).toHaveLength(2);
+  const triggers = '// trigger: monitor begin every; modify now every';
+  expect(parseTable(`${triggers}\n${triggers}\nMW 2\n`).map(({ operand }) => operand)).toEqual([triggers, 'MW 2']);
 });
 
 test('a value that cannot be read has its reason', () => {

@@ -3,7 +3,7 @@
 
 import { FORMATS } from '../state/formats';
 import { cellsOf, isTable } from '../state/pasted';
-import { TRIGGERS } from './triggers';
+import { triggerLine } from './triggers';
 
 export interface Row {
   operand: string;
@@ -14,8 +14,8 @@ export interface Row {
 const known = new Set(FORMATS.map(([name]) => name));
 const HEAD = '// operand ; format ; modify value';
 
-/** A line about the rows below it, as STEP 7's tables have them. */
-export const isComment = (row: Row): boolean => row.operand.trimStart().startsWith('//');
+/** A line about the rows below it, as STEP 7's tables have them, or one that names no operand: they stay as they are. */
+export const isComment = (row: Row): boolean => /^\s*(\/\/|;)/.test(row.operand);
 /** Not for a comment or an empty row. */
 export const hasOperand = (row: Row): boolean => row.operand.trim() !== '' && !isComment(row);
 
@@ -36,16 +36,13 @@ export function printTable(rows: Row[], triggers = ''): string {
 
 /** Lines about the table itself are no rows. A semicolon in quotation marks belongs to the operand. */
 export function parseTable(text: string): Row[] {
-  const rows = text
-    .split(/\r?\n/)
-    .map((line) => line.trim())
-    .filter((line) => line !== HEAD && !line.startsWith(TRIGGERS))
-    .map(rowOf);
-  return withoutEnd(rows);
+  const lines = text.split(/\r?\n/).map((line) => line.trim());
+  const triggers = lines.indexOf(triggerLine(lines) ?? HEAD);
+  return withoutEnd(lines.filter((line, index) => line !== HEAD && index !== triggers).map(rowOf));
 }
 
 function rowOf(line: string): Row {
-  if (line.startsWith('//')) return { operand: line, format: 'AUTO', modify: '' };
+  if (/^(\/\/|;)/.test(line)) return { operand: line, format: 'AUTO', modify: '' };
   const [operand = '', format = '', ...modify] = line.match(/(?:"[^"]*"|'[^']*'|[^;])+|;/g)?.reduce(fields, ['']) ?? [];
   return { operand: operand.trim(), format: format.trim() || 'AUTO', modify: modify.join(';').trim() };
 }
@@ -55,7 +52,8 @@ function rowOf(line: string): Row {
 export function pastedRows(text: string): Row[] {
   if (!isTable(text) && !text.trim().includes(';')) return [];
   const lines = cellsOf(text).map((cells) => cells.join(' ; '));
-  return parseTable(lines.join('\n')).flatMap(({ operand, format, modify }) => {
+  return parseTable(lines.join('\n')).flatMap(({ operand: first, format, modify }) => {
+    const operand = first.startsWith(';') ? '' : first;
     const row = { operand, format: known.has(format.toUpperCase()) ? format.toUpperCase() : 'AUTO', modify };
     const operands = rangeOf(operand);
     return operands.length > 1 ? operands.map((one) => ({ ...row, operand: one })) : [row];

@@ -1,11 +1,12 @@
 import { untrack } from 'svelte';
 import { connection } from '../connection';
-import { kept } from '../state/kept.svelte';
+import { among, isText, listOf, objectOf } from '../state/alike';
+import { keptByName } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
 import { pastedInto } from '../state/pasted';
 import { plc } from '../state/plc.svelte';
 import { parseTable, printTable, rangeOf, withoutEnd, type Row } from './table';
-import { atOnce, parseTriggers, printTriggers, type Trigger } from './triggers';
+import { atOnce, parseTriggers, POINTS, printTriggers, type Trigger } from './triggers';
 
 interface Draft {
   path: string;
@@ -17,7 +18,13 @@ interface Draft {
   stored?: string;
 }
 
-const drafts = kept<Record<string, Draft>>('variables', {});
+const isRow = objectOf({ operand: isText, format: isText, modify: isText });
+const isTrigger = objectOf({ point: among(...POINTS), once: among(true, false) });
+const isDraft = objectOf(
+  { path: isText, rows: listOf(isRow) },
+  { monitor: isTrigger, modify: isTrigger, saved: isText, stored: isText },
+);
+const drafts = keptByName<Draft>('variables', isDraft);
 const KEEP_AFTER_MS = 300;
 const EMPTY = printTable([]);
 const emptyRow = (): Row => ({ operand: '', format: 'AUTO', modify: '' });

@@ -10,21 +10,27 @@ export interface Trigger {
 
 export const atOnce: Trigger = { point: 'now', once: false };
 
-/** How the line of a table's file begins that names them. */
-export const TRIGGERS = '// trigger:';
-
 /** The line of a table's file that says it; none where everything happens at once. */
 export function printTriggers(monitor: Trigger, modify: Trigger): string {
   const text = ({ point, once }: Trigger) => `${point} ${once ? 'once' : 'every'}`;
   if (monitor.point === 'now' && modify.point === 'now') return '';
-  return `${TRIGGERS} monitor ${text(monitor)}; modify ${text(modify)}`;
+  return `// trigger: monitor ${text(monitor)}; modify ${text(modify)}`;
 }
 
+const part = (what: string): string =>
+  String.raw`${what} (?<${what}Point>now|begin|end|stop) (?<${what}Often>once|every)`;
+const whole = new RegExp(String.raw`^// trigger: ${part('monitor')}; ${part('modify')}$`);
+
+/** The first line that says them; any other one is a comment. */
+export const triggerLine = (lines: readonly string[]): string | undefined =>
+  lines.map((line) => line.trim()).find((line) => whole.test(line));
+
 export function parseTriggers(text: string): { monitor: Trigger; modify: Trigger } {
-  const trigger = (what: string): Trigger => {
-    const line = /^\/\/ trigger:.*$/m.exec(text)?.[0] ?? '';
-    const found = new RegExp(`\\b${what} (now|begin|end|stop) (once|every)\\b`).exec(line);
-    return found ? { point: found[1] as Point, once: found[2] === 'once' } : { ...atOnce };
-  };
+  const found = whole.exec(triggerLine(text.split('\n')) ?? '')?.groups;
+  if (!found) return { monitor: { ...atOnce }, modify: { ...atOnce } };
+  const trigger = (what: string): Trigger => ({
+    point: found[`${what}Point`] as Point,
+    once: found[`${what}Often`] === 'once',
+  });
   return { monitor: trigger('monitor'), modify: trigger('modify') };
 }

@@ -1,11 +1,12 @@
 // Pulses as a person reads them, and the way that they are.
 import { language } from '../../i18n';
-import { kept } from '../../state/kept.svelte';
+import { isNumber } from '../../state/alike';
+import { keptByName } from '../../state/kept.svelte';
 import { plc } from '../../state/plc.svelte';
 import { pulsesPerEncoderTurn, turn } from './rail';
 
 /** The way of one turn of the encoder in mm, by plant: the SFBs know pulses only, so it is of the picture alone. */
-const pitches = kept<Record<string, number>>('pitch', {});
+const pitches = keptByName<number>('pitch', isNumber);
 const USUAL_PITCH = 10;
 const keyOf = (plant: string) => `${plc.project?.folder ?? ''} ${plant}`;
 
