@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { text } from './editor.mjs';
+import { replaceAll, text, toLine } from './editor.mjs';
 import { expect, launch, message, open, scratch, turn, until, visit, write } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
@@ -211,6 +211,44 @@ test('beside KOP and FUP a data block has its data view, a type its declaration;
   await block('OB 1').click();
   await page.locator('[data-network="1"]').waitFor();
   await page.getByRole('button', { name: 'AWL', exact: true }).click();
+});
+
+test('a cursor that comes into a data block by keys or with a selection stays in the text', async () => {
+  const isText = async () => (await page.locator('.code').isVisible()) && (await page.locator('.data').count()) === 0;
+  const source = await text(page);
+  const line = source.split('\n').findIndex((one) => one.startsWith('ORGANIZATION_BLOCK')) + 1;
+  await block('DB 2').click();
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await page.locator('.data').waitFor();
+  for (const view of ['AWL', 'KOP']) {
+    if (view === 'KOP') await page.getByRole('button', { name: view, exact: true }).click();
+    await block(view === 'KOP' ? 'UDT 3' : 'OB 1').click();
+    await until(isText, `the text beside ${view}`);
+    // From the type down into DB 1, from OB 1 up into DB 3.
+    for (let i = 0; i < 6; i++) await page.keyboard.press(view === 'KOP' ? 'ArrowDown' : 'ArrowUp');
+    await page.getByRole('treeitem', { selected: true, name: view === 'KOP' ? 'DB 1' : 'DB 3' }).first().waitFor();
+    assert.ok(await isText(), `${view}: the cursor took the text away`);
+    await page.keyboard.type('// typed here');
+    await until(async () => (await text(page)).includes('// typed here'), 'what is typed');
+    await page.keyboard.press('Control+z');
+    await expect(() => text(page), source);
+  }
+  await page.getByRole('button', { name: 'AWL', exact: true }).click();
+  // The button opens the block of the cursor.
+  await toLine(page, line - 3);
+  const shown = page.getByRole('button', { name: 'Datensicht' });
+  await expect(() => shown.getAttribute('aria-pressed'), 'false');
+  await shown.press('Enter');
+  await row('Machine').waitFor();
+  await shown.press('Enter');
+  await until(isText, 'the text');
+  // A text that ends with a data block.
+  const last = source.replace(/ORGANIZATION_BLOCK[^]*/, '');
+  await page.keyboard.press('Control+a');
+  await replaceAll(page, last);
+  await page.keyboard.press('Control+a');
+  assert.ok(await isText(), 'what is selected took the text away');
+  await replaceAll(page, source);
 });
 
 test('a block of the CPU is shown so', async () => {

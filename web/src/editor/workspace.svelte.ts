@@ -1,6 +1,6 @@
 // The project as the program view sees it: files, open texts, blocks of both sides, problems. It outlives a change of view.
 import { SvelteMap } from 'svelte/reactivity';
-import { connection, Refused, type Problem } from '../connection';
+import { connection, ConnectionLost, Refused, type Problem } from '../connection';
 import type { BlockInterface, BlockRow, Compared, FileRow } from '../connection/protocol';
 import { attempt, messages } from '../state/messages.svelte';
 import { coalesced } from '../state/coalesced';
@@ -17,6 +17,10 @@ const CHECK_AFTER_MS = 300;
 
 /** What becomes of a refusal: a message, or nothing. */
 type Asking = <T>(answer: Promise<T>) => Promise<T | undefined>;
+
+const isError = ({ severity }: Problem): boolean => severity === 'error';
+const isAmong = (list: readonly Problem[], { code, file, line, column }: Problem): boolean =>
+  list.some((one) => one.code === code && one.file === file && one.line === line && one.column === column);
 
 class Workspace {
   files = $state.raw<FileRow[]>([]);
@@ -179,23 +183,36 @@ class Workspace {
     }
   }
 
-  /** Saves everything and loads it, or single blocks, into the CPU. */
-  async load(blocks?: string[]): Promise<boolean> {
+  /** Saves everything and loads it, or single blocks, into the CPU. `listed`: shows the list of problems, which then is not told in messages as well. */
+  async load(blocks?: string[], listed?: () => void): Promise<boolean> {
+    messages.solved('program.load');
     for (const document of this.documents.values())
       if (!(await this.save(document)) && !document.readonly) return false;
-    if (plc.lacks('download')) return this.reopen();
-    return (await attempt(connection.ask('program.load', blocks ? { blocks } : {}))) !== undefined;
+    if (plc.lacks('download')) return this.reopen(listed);
+    try {
+      await connection.ask('program.load', blocks ? { blocks } : {});
+      return true;
+    } catch (error) {
+      if (error instanceof Refused) await this.notLoaded(error.problems, listed);
+      else if (!(error instanceof ConnectionLost)) throw error;
+      return false;
+    }
   }
 
   // A machine that takes no blocks one by one: the project is opened again, unless it has errors.
-  private async reopen(): Promise<boolean> {
+  private async reopen(listed?: () => void): Promise<boolean> {
     const answer = await attempt(connection.ask('program.check'));
-    const errors = answer?.problems.filter((problem) => problem.severity === 'error');
-    if (!errors) return false;
-    if (errors.length > 0) messages.problems(errors);
-    return (
-      errors.length === 0 && (await attempt(connection.ask('projects.open', { folder: this.folder }))) !== undefined
-    );
+    if (!answer) return false;
+    if (answer.problems.some(isError)) await this.notLoaded(answer.problems, listed);
+    else return (await attempt(connection.ask('projects.open', { folder: this.folder }))) !== undefined;
+    return false;
+  }
+
+  private async notLoaded(problems: Problem[], listed?: () => void): Promise<void> {
+    await this.readProblems();
+    const told = listed ? problems.filter((problem) => !isAmong(this.problems, problem)) : problems;
+    messages.problems(told.filter(isError), 'program.load');
+    if (told.length < problems.length) listed?.();
   }
 
   /** What the CPU has in an operand. */
