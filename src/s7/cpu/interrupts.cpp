@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "address/constant.h"
+#include "cpu/real_time_clock.h"
 
 namespace merker::cpu {
 namespace {
@@ -46,6 +47,19 @@ std::int64_t monthsLater(std::int64_t start, int months, bool last) {
   return days ? *days * kDay + start % kDay : -1;
 }
 
+std::int64_t next(std::int64_t start, Period period, std::int64_t now) {
+  if (period == Period::Once) return start > now ? start : -1;
+  if (const std::int64_t length = lengthOf(period); length != 0)
+    return start > now ? start : start + ((now - start) / length + 1) * length;
+  const int step = period == Period::Year ? 12 : 1;
+  constexpr int kMonthsOfDt = 1200;  // DT reaches over 100 years
+  for (int months = 0; months < kMonthsOfDt; months += step) {
+    const std::int64_t due = monthsLater(start, months, period == Period::EndOfMonth);
+    if (due > now && due >= start) return due;
+  }
+  return -1;
+}
+
 }  // namespace
 
 void TimeOfDayInterrupt::moveOn(std::int64_t now) {
@@ -70,17 +84,10 @@ bool Interrupts::isLocked(std::uint8_t ob) const {
   return std::find(locked.begin(), locked.end(), ob) != locked.end();
 }
 
+// Later than the clock ever shows: it is not due any more.
 std::int64_t nextTimeOfDay(std::int64_t start, Period period, std::int64_t now) {
-  if (period == Period::Once) return start > now ? start : -1;
-  if (const std::int64_t length = lengthOf(period); length != 0)
-    return start > now ? start : start + ((now - start) / length + 1) * length;
-  const int step = period == Period::Year ? 12 : 1;
-  constexpr int kMonthsOfDt = 1200;  // DT reaches over 100 years
-  for (int months = 0; months < kMonthsOfDt; months += step) {
-    const std::int64_t due = monthsLater(start, months, period == Period::EndOfMonth);
-    if (due > now && due >= start) return due;
-  }
-  return -1;
+  const std::int64_t due = next(start, period, now);
+  return due < kYearsOfClock ? due : -1;
 }
 
 bool isPeriod(std::uint32_t word) {

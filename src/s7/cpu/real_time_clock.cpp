@@ -7,9 +7,6 @@ namespace merker::cpu {
 namespace {
 
 constexpr std::int64_t kDay = 86'400'000;
-// DT reaches to 2089: two digits of the year, 90..99 are 19xx.
-constexpr std::int64_t kDays = 36'525;
-
 struct Field {
   unsigned low, high;
 };
@@ -34,9 +31,9 @@ const Day& dayOf(std::int64_t since1990) {
 }  // namespace
 
 DateAndTime toDateAndTime(std::int64_t milliseconds) {
-  const std::int64_t time = (milliseconds % kDay + kDay) % kDay;
-  const std::int64_t since = ((milliseconds - time) / kDay % kDays + kDays) % kDays;
-  const Day& day = dayOf(since);
+  const std::int64_t shown = (milliseconds % kYearsOfClock + kYearsOfClock) % kYearsOfClock;
+  const std::int64_t time = shown % kDay;
+  const Day& day = dayOf(shown / kDay);
   const auto ms = static_cast<unsigned>(time % 1000);
   const auto seconds = static_cast<unsigned>(time / 1000);
   return {day.year,

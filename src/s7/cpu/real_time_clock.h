@@ -15,17 +15,26 @@ DateAndTime toDateAndTime(std::int64_t milliseconds);
 // Nothing if a digit or a part (month 13, hour 24 …) is invalid.
 std::optional<std::int64_t> fromDateAndTime(const std::uint8_t* bytes);
 
+// The years of DATE_AND_TIME: 1990 to 2089, then 1990 again (docs/compatibility.md).
+constexpr std::int64_t kYearsOfClock = 36'525LL * 86'400'000;  // ms
+
 class RealTimeClock {
  public:
   explicit RealTimeClock(std::int64_t millisecondsAtStart) : offset_(millisecondsAtStart) {}
-  std::int64_t milliseconds(Instant now) const { return offset_ + now.ns / 1'000'000; }
+  std::int64_t milliseconds(Instant now) const {
+    const std::int64_t shown = running(now) % kYearsOfClock;
+    return shown < 0 ? shown + kYearsOfClock : shown;
+  }
   void set(std::int64_t milliseconds, Instant now) { offset_ = milliseconds - now.ns / 1'000'000; }
-  // The instant at which the clock shows this time.
-  Instant when(std::int64_t milliseconds) const {
-    return Instant{(milliseconds - offset_) * 1'000'000};
+  // The instant at which the clock shows this time, before it begins again.
+  Instant when(std::int64_t milliseconds, Instant now) const {
+    const std::int64_t begun = running(now) - this->milliseconds(now);
+    return Instant{(milliseconds + begun - offset_) * 1'000'000};
   }
 
  private:
+  std::int64_t running(Instant now) const { return offset_ + now.ns / 1'000'000; }
+
   std::int64_t offset_;  // ms since 1990-01-01 at Instant 0
 };
 

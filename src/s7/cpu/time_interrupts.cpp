@@ -20,7 +20,7 @@ Instant TimeInterrupts::next() const {
   for (const DelayInterrupt& delay : list_.delay)
     if (delay.active) next = std::min(next, delay.due);
   for (const TimeOfDayInterrupt& time : list_.timeOfDay)
-    if (time.active) next = std::min(next, clock_.when(time.due));
+    if (time.active) next = std::min(next, clock_.when(time.due, machine_.clock));
   return next;
 }
 

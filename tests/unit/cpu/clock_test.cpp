@@ -53,7 +53,18 @@ TEST(RealTimeClock, RunsWithVirtualTime) {
   EXPECT_EQ(clock.milliseconds(Instant{} + Duration::seconds(2)), 3000);
   clock.set(50'000, Instant{} + Duration::seconds(2));
   EXPECT_EQ(clock.milliseconds(Instant{} + Duration::seconds(3)), 51'000);
-  EXPECT_EQ(clock.when(51'000), Instant{} + Duration::seconds(3));
+  EXPECT_EQ(clock.when(51'000, Instant{}), Instant{} + Duration::seconds(3));
+}
+
+// S7-CPU-32: behind 2089 there is no year that DATE_AND_TIME could show.
+TEST(RealTimeClock, BeginsAgainBehindItsLastYear) {
+  const std::int64_t last = 36'525 * 86'400'000LL - 1;
+  RealTimeClock clock(0);
+  clock.set(last, Instant{} + Duration::seconds(5));
+  EXPECT_EQ(clock.milliseconds(Instant{} + Duration::seconds(5)), last);
+  const Instant later = Instant{} + Duration::milliseconds(5001);
+  EXPECT_EQ(clock.milliseconds(later), 0);
+  EXPECT_EQ(clock.when(1'000, later), later + Duration::seconds(1));
 }
 
 }  // namespace

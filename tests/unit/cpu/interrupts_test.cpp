@@ -19,6 +19,8 @@ TEST(TimeOfDay, FindsTheNextTime) {
   EXPECT_EQ(nextTimeOfDay(start, Period::Minute, start), start + 60'000);
   EXPECT_EQ(nextTimeOfDay(start, Period::Hour, start + 1), start + 3'600'000);
   EXPECT_EQ(nextTimeOfDay(start, Period::Week, start), start + 7 * 86'400'000LL);
+  constexpr std::int64_t kLast = 36'525 * 86'400'000LL - 1;  // of 2089
+  EXPECT_EQ(nextTimeOfDay(start, Period::Minute, kLast), -1);
   EXPECT_EQ(nextTimeOfDay(start, Period::Month, start),
             day(2005, 3, 31) + 3'600'000);  // February has no 31st
   EXPECT_EQ(nextTimeOfDay(start, Period::EndOfMonth, start), day(2005, 2, 28) + 3'600'000);

@@ -82,6 +82,18 @@ TEST(PlcMethods, TheClockIsSet) {
   EXPECT_EQ(bench.problem("cpu.setClock", {{"time", "2024-01-01 00:00:00"}}), "P1308");
 }
 
+// The panel, the buffer and what a program reads show the same year (S7-CPU-32).
+TEST(PlcMethods, TheClockBeginsAgainBehind2089) {
+  Bench bench;
+  bench.call("cpu.setClock", {{"time", "2089-12-31 23:59:59.999"}});
+  bench.run(Duration::milliseconds(50));
+  bench.call("cpu.stop");
+  EXPECT_EQ(bench.state()["clock"].get<std::string>().substr(0, 16), "1990-01-01 00:00");
+  EXPECT_EQ(bench.call("diagnosis.buffer")["entries"][0]["clock"].get<std::string>().substr(0, 10),
+            "1990-01-01");
+  bench.call("cpu.setClock", {{"time", bench.state()["clock"]}});
+}
+
 TEST(PlcMethods, TheEngineChangesInStopOnly) {
   Bench bench;
   EXPECT_EQ(bench.problem("cpu.engine", {{"engine", "jit"}}), "P1308");

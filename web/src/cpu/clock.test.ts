@@ -9,4 +9,6 @@ test('what is typed; seconds can be left out', () => {
   expect(clockText(' 2024-02-09 ', '08:07 ')).toBe('2024-02-09 08:07:00');
   expect(clockText('2024-02-09', '08:07:06.5')).toBe('2024-02-09 08:07:06.5');
   expect(clockText('', 'noon')).toBe(' noon');
+  expect(clockText('24.12.2024', '12:00:00')).toBe('2024-12-24 12:00:00');
+  expect(clockText(' 1.2.2024 ', '12:00')).toBe('2024-02-01 12:00:00');
 });

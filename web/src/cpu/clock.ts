@@ -11,8 +11,12 @@ export function clockOf(now: Date): { date: string; time: string; parts: string 
   };
 }
 
+/** "24.12.2024", as a German date is written. */
+const german = /^(\d{1,2})\.(\d{1,2})\.(\d{4})$/;
+
 /** What was typed; seconds can be left out. Whether there is such a time the server says. */
 export function clockText(date: string, time: string): string {
   const short = /^\s*\d{1,2}:\d\d\s*$/.test(time);
-  return `${date.trim()} ${time.trim()}${short ? ':00' : ''}`;
+  const day = date.trim().replace(german, (_, day, month, year) => `${year}-${two(Number(month))}-${two(Number(day))}`);
+  return `${day} ${time.trim()}${short ? ':00' : ''}`;
 }
