@@ -31,6 +31,11 @@ test('the order is that of a person, not of the alphabet; a cycle below a millis
   ]);
 });
 
+test('a CPU that never ran has no cycle times', () => {
+  const [cycle] = sections({ cycle: { cycles: 0, lastMs: 0, longestMs: 0, monitoringMs: 150, shortestMs: 0 } });
+  expect(cycle!.facts.map((fact) => fact.value)).toEqual(['–', '–', '–', '150', '0']);
+});
+
 test('what a machine does not have is not shown as zero', () => {
   const [memory, cycle] = sections({
     clock: '',

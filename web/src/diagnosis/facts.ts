@@ -18,6 +18,9 @@ const TOGETHER: Record<string, string[]> = {
   localData: ['loadMemory'],
   monitoringMs: ['lastMs', 'shortestMs', 'longestMs'],
 };
+const MEASURED = ['lastMs', 'shortestMs', 'longestMs'];
+/** Of a cycle of less than a millisecond, or of none. */
+const brief = (answer: Record<string, unknown>) => (answer.cycles === 0 ? '–' : '< 1');
 const missing = (answer: Record<string, unknown>) =>
   Object.entries(TOGETHER).flatMap(([key, others]) => (answer[key] === 0 ? [key, ...others] : []));
 
@@ -28,7 +31,7 @@ export function sections(answer: Record<string, unknown>, name = ''): Section[] 
   for (const [key, value] of Object.entries(answer).sort(([a], [b]) => rank(a) - rank(b))) {
     if (value === '' || left.includes(key)) continue;
     if (isObject(value)) below.push(...sections(value, key));
-    else own.facts.push({ name: key, value: key.endsWith('Ms') && value === 0 ? '< 1' : print(value) });
+    else own.facts.push({ name: key, value: MEASURED.includes(key) && value === 0 ? brief(answer) : print(value) });
   }
   return [...(own.facts.length ? [own] : []), ...below];
 }
