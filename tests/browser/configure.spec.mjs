@@ -62,12 +62,16 @@ test('the keyboard places one as well, and slots that do not fit say why (S7-HWC
   await page.getByText('Die Konfiguration ist konsistent.').waitFor();
 });
 
-test('addresses change freely, what is not possible goes back (S7-HWCFG-03)', async () => {
+test('addresses change freely, what is not possible stays marked and changes nothing (S7-HWCFG-03)', async () => {
   await slot(4).getByRole('button').click();
   const start = page.getByLabel('Anfangsadresse E');
   await start.fill('124');
   await start.press('Enter');
   await says('überschneiden');
+  await expect(() => start.getAttribute('aria-invalid'), 'true');
+  assert.equal(await start.inputValue(), '124');
+  await shows(4, /0…1/);
+  await start.press('Escape');
   await expect(() => start.inputValue(), '');
   await start.fill('10');
   await start.press('Enter');
@@ -138,9 +142,25 @@ test('a counting channel has the mask of its mode', async () => {
   await field('Endwert').press('Enter');
   await field('Vergleichswert').fill('100');
   await field('Vergleichswert').press('Enter');
+  await says('„Vergleichswert“ muss sein');
   await says('-2147483648 bis 99');
-  await until(async () => (await field('Vergleichswert').inputValue()) === '0', 'the value that is refused goes back');
-  await page.getByRole('group', { name: 'Prozessalarm' }).getByLabel('Überlauf').check();
+  await expect(() => field('Vergleichswert').getAttribute('aria-invalid'), 'true');
+  assert.equal(await field('Vergleichswert').inputValue(), '100', 'what was typed stays');
+  await field('Vergleichswert').fill('50');
+  await field('Vergleichswert').press('Enter');
+  await expect(() => field('Vergleichswert').getAttribute('aria-invalid'), null);
+  const causes = page.getByRole('group', { name: 'Prozessalarm' });
+  await causes.getByLabel('Überlauf').check();
+  // What is set is in sight beside the module that it is set on, and says what it needs.
+  for (const part of [causes.getByLabel('Zählflanke'), slot('2.4'), field('Betriebsart')]) {
+    await part.scrollIntoViewIfNeeded();
+    const [where, there] = [await slot('2.4').boundingBox(), await part.boundingBox()];
+    for (const box of [where, there]) assert.ok(box.y > 0 && box.y + box.height < 800, JSON.stringify({ where, there }));
+  }
+  const needs = page.getByText('setzen oben „Alarme“ mit Prozess voraus');
+  await needs.waitFor();
+  await field('Alarme').selectOption({ label: 'Prozess' });
+  await expect(() => needs.count(), 0);
   await accessible(page, 'masks of a counting channel');
   await page.getByRole('tab', { name: 'Kanal 1', exact: true }).scrollIntoViewIfNeeded();
   await picture(page, 'hardware-counting');
@@ -168,6 +188,7 @@ test('save and compile writes merker.toml (S7-HWCFG-07)', async () => {
 
 test('it is loaded in STOP, and the CPU works with the new address (S7-HWCFG-03)', async () => {
   await page.getByRole('button', { name: 'In die CPU laden' }).click();
+  await page.getByText('Force-Aufträge, Uhrzeit und Diagnosepuffer bleiben').waitFor();
   await page.getByRole('button', { name: 'STOP und laden' }).click();
   await says('Konfiguration geladen');
   await page.getByRole('tab', { name: 'Im Betrieb' }).click();

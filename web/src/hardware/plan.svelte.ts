@@ -1,10 +1,11 @@
 // The hardware as it would be after the next download: merker.toml as an open text, and what the server makes of it.
-import { connection, type Problem } from '../connection';
+import { connection, Refused, type Problem } from '../connection';
 import type { OpenDocument } from '../editor/document.svelte';
 import { workspace } from '../editor/workspace.svelte';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
-import type { Rack, Slot } from './rack';
+import { inFields } from './field_words';
+import { slotOf, type Rack, type Slot } from './rack';
 
 export const SETTINGS = 'merker.toml';
 export const FIRST_SLOT = 1;
@@ -83,13 +84,14 @@ export type Change =
   | { change: 'set'; table: string; key: string; value: Parameter['value'] }
   | { change: 'plant'; name: string; kind: string; parameters: Pair[]; wires: Pair[] };
 
+/** Counting channels have words of their own. */
+const familyOf = (changes: Change[]): string =>
+  changes.some((one) => one.change === 'set' && 'side' in one && one.side === 'number') ? 'count' : '';
+
 export interface Pair {
   key: string;
   value: string | number | boolean;
 }
-
-/** The slot in its rack: rows of other racks are named "1/4". */
-export const slotOf = (slot: Slot): string => slot.slot.replace(/^\d+\//, '');
 
 class Plan {
   document = $state<OpenDocument | null>(null);
@@ -141,7 +143,12 @@ class Plan {
     const document = this.document;
     if (!document) return false;
     const before = document.text;
-    const answer = await attempt(connection.ask('hardware.edit', { text: before, changes }));
+    const asked = connection.ask('hardware.edit', { text: before, changes }).catch((error: unknown) => {
+      if (!(error instanceof Refused)) throw error;
+      const named = error.problems.map((one) => inFields(one, familyOf(changes)));
+      throw new Refused(named, error.method);
+    });
+    const answer = await attempt(asked);
     if (!answer || document.text !== before) return false;
     this.looked = answer.text;
     this.planned = answer;

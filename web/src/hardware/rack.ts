@@ -48,6 +48,9 @@ export interface Housing {
   parts: Slot[];
 }
 
+/** The slot in its rack: rows of other racks are named "1/4". */
+export const slotOf = (slot: Slot): string => slot.slot.replace(/^\d+\//, '');
+
 /** What the picture says of it. */
 export const title = (rack: Rack) =>
   ({ key: rack.bus ?? 'rack', values: { number: rack.place ?? rack.rack } }) as const;

@@ -22,7 +22,20 @@ export const hardwarePlan = {
     'Eine geänderte Konfiguration kann nur in STOP geladen werden. Die CPU geht in STOP und bleibt dort.',
     'A changed configuration can be loaded in STOP only. The CPU goes to STOP and stays there.',
   ],
+  loadKeeps: [
+    'Merker, Zeiten, Zähler, Datenbausteine, Force-Aufträge, Uhrzeit und Diagnosepuffer bleiben. Was nicht remanent ist, löscht der nächste Neustart.',
+    'Flags, timers, counters, data blocks, force jobs, clock and diagnostic buffer stay. The next restart clears what is not retentive.',
+  ],
+  loadOther: [
+    'Die Konfiguration ist für eine andere CPU ({model}): Merker, Zeiten, Zähler, Aktualwerte der Datenbausteine, Force-Aufträge, Uhrzeit und Diagnosepuffer gehen verloren.',
+    'The configuration is for another CPU ({model}): flags, timers, counters, actual values of data blocks, force jobs, clock and diagnostic buffer are lost.',
+  ],
+  loadOutside: [
+    'Von Hand gestellte Eingänge, Anlagen und Fehler von Baugruppen beginnen neu.',
+    'Inputs that were set by hand, plants and faults of modules begin anew.',
+  ],
   cancel: ['Abbrechen', 'Cancel'],
+  loadNow: ['Laden', 'Load'],
   stopAndLoad: ['STOP und laden', 'STOP and load'],
   rack: ['Baugruppenträger {number}', 'Rack {number}'],
   addRack: ['Baugruppenträger {number} hinzufügen', 'Add rack {number}'],
@@ -64,6 +77,10 @@ export const hardwarePlan = {
   axisHint: [
     'Mit Analogausgang gehört AO 0 der Achse: den Messbereich von AO0 (Steckplatz 2.3) vorher auf „aus“ stellen. Die Zähler 0 und 1 teilen sich die Eingänge mit der Achse.',
     'With the analog output AO 0 belongs to the axis: set the range of AO0 (slot 2.3) to “off” first. Counters 0 and 1 share their inputs with the axis.',
+  ],
+  silentChannel: [
+    'Prozessalarme der Kanäle setzen oben „Alarme“ mit Prozess voraus.',
+    'Hardware interrupts of the channels need “Interrupts” with process above.',
   ],
   onBoard: ['In die CPU integriert.', 'Integrated in the CPU.'],
   consistency: ['Konsistenz', 'Consistency'],
