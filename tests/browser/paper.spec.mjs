@@ -63,7 +63,10 @@ test('a data block with its values, the symbols, the modules', async () => {
   for (const name of symbols) assert.ok(text.includes(name.slice(1, -1)), name);
   await visit(page, server, 'hardware');
   await page.getByRole('button', { name: /SM 321/ }).waitFor();
-  const modules = await printed(/0\/4\s+[^]*E 0\.0…1\.7/);
+  const modules = await printed(/4\s+SM 321[^]*E 0\.0…1\.7/);
+  // What is set on the CPU and on channels, as HW Konfig prints it.
+  assert.match(modules, /MPI-Adresse: \d[^]*Zyklusüberwachungszeit: 150ms[^]*Remanente Merkerbytes: 16[^]*Kanal E 0: Messbereich:/);
+  assert.doesNotMatch(modules, /Steckplatz: |Typ: |Passwort/);
   assert.match(modules, /Arbeitsspeicher: \d+ Byte[^]*Eingangsverzögerung: 3ms/);
   assert.doesNotMatch(modules, /work memory|timers|order number|slot:|input delay/);
 });

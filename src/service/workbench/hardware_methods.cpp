@@ -2,6 +2,7 @@
 #include "workbench/elsewhere.h"
 #include "workbench/hardware_plan.h"
 #include "workbench/hardware_rows.h"
+#include "workbench/hardware_settings.h"
 #include "workbench/slave_rows.h"
 
 namespace merker::workbench {
@@ -17,6 +18,7 @@ Answer read(const Call& call) {
   const io::Configuration configuration =
       rack != nullptr ? rack->configuration() : io::configure({}, *project.model, none);
   Json racks = hardwareRows(configuration, rack, project.symbols);
+  addSettings(project, configuration, racks);
   if (rack != nullptr) addSlaveRows(racks, *rack, project.symbols);
   return Json{{"racks", std::move(racks)}};
 }

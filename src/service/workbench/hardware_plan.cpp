@@ -7,6 +7,7 @@
 #include "workbench/counting_rows.h"
 #include "workbench/fresh_errors.h"
 #include "workbench/hardware_rows.h"
+#include "workbench/hardware_settings.h"
 #include "workbench/parameter_rows.h"
 #include "workbench/serial_rows.h"
 
@@ -193,6 +194,7 @@ Json planRows(const Plan& plan, const SettingsEdit& edit, const source::SymbolTa
       project.hardware ? *project.hardware : io::configure({}, *project.model, none);
   Json racks = hardwareRows(configuration, nullptr, symbols), currents = Json::array();
   addParameters(racks, configuration, *project.model);
+  addSettings(project, configuration, racks);
   for (std::uint32_t rack = 0; rack < project.model->racks; ++rack) {
     const io::Current current = io::current(configuration, rack);
     currents.push_back({{"rack", rack}, {"taken", current.taken}, {"possible", current.possible}});

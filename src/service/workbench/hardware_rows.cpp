@@ -77,7 +77,8 @@ Json propertiesOf(const io::Module& module) {
   add("type", module.title());
   add("order number", std::string(type.orderNumber));
   add("slot", module.slotText());
-  add("signal", std::string(type.signal));
+  // Of an analog module it is what supplies it; what it measures each channel says.
+  add(type.kind == ModuleKind::Digital ? "signal" : "supply", std::string(type.signal));
   if (type.busCurrent != 0) add("bus current", fmt::format("{} mA", type.busCurrent));
   if (type.digitalInputs != 0) add("input delay", io::formatLength(parameters.inputDelay));
   if (type.resolution != 0) add("resolution", fmt::format("{} bits", type.resolution));

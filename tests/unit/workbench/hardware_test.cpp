@@ -52,6 +52,34 @@ TEST(Hardware, ModulesHaveAddressesTerminalsAndFaults) {
   EXPECT_EQ(slot(bench, "5")["terminals"][1]["operand"], "PEW 274");
 }
 
+std::map<std::string, std::string> propertiesOf(const Json& slot) {
+  std::map<std::string, std::string> found;
+  for (const Json& one : slot["properties"]) EXPECT_TRUE(found.emplace(one[0], one[1]).second);
+  return found;
+}
+
+// What is printed and shown of a module is all that is set on it, in operation and configured.
+TEST(Hardware, WhatIsSetIsReadWithTheModules) {
+  const std::string settings =
+      "[cpu]\nmodel = \"314C-2 PtP\"\nclock_memory = 7\npassword = \"secret\"\n"
+      "[[module]]\nslot = \"2.3\"\n[[module.channel]]\ninput = 1\nrange = \"4..20mA\"\n"
+      "[[module]]\nslot = \"2.4\"\n[[module.channel]]\nnumber = 1\nmode = \"endless\"\n";
+  Bench bench(kProgram, settings);
+  const Json planned = bench.call("hardware.edit", {{"text", settings}});
+  for (const Json& answer : {bench.call("hardware.read"), planned}) {
+    std::map<std::string, std::map<std::string, std::string>> slots;
+    for (const Json& one : answer["racks"][0]["slots"]) slots[one["slot"]] = propertiesOf(one);
+    EXPECT_EQ(slots["2"]["clock_memory"], "7");
+    EXPECT_EQ(slots["2"]["cycle_monitoring"], "150ms");
+    EXPECT_FALSE(slots["2"].contains("password"));
+    EXPECT_EQ(slots["2.3"]["input 1 range"], "4..20mA");
+    EXPECT_EQ(slots["2.4"]["channel 1 mode"], "endless");
+    EXPECT_EQ(slots["2.3"]["supply"], "DC 24 V");
+    EXPECT_FALSE(slots["2.3"].contains("signal"));
+    EXPECT_EQ(slots["2.2"]["signal"], "DC 24 V");
+  }
+}
+
 Json cpuLookedAt(const std::string& settings) {
   Bench bench(kProgram, settings);
   const Json answer = bench.call("projects.look");

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { language } from '../i18n';
-import { propertyText } from './properties';
+import { onPaper, propertyText } from './properties';
 
 test('what is set on a module, an organization block, a channel, in the language of the page', () => {
   const texts = () =>
@@ -31,5 +31,23 @@ test('what is set on a module, an organization block, a channel, in the language
     'Channel Q 0: Substitute value: 4mA',
     'Channel 1: Operating mode: Count periodically',
     'Channel 1: Hardware interrupt: Overflow, Reaching the comparator',
+  ]);
+});
+
+test('on paper a channel has a line of its own, and no column is repeated', () => {
+  language.value = 'de';
+  expect(
+    onPaper([
+      ['type', 'Count'],
+      ['slot', '2.4'],
+      ['interrupts', 'process'],
+      ['channel 0 mode', 'endless'],
+      ['channel 0 hysteresis', '3'],
+      ['channel 1 mode', 'none'],
+    ]),
+  ).toEqual([
+    'Alarme: Prozess',
+    'Kanal 0: Betriebsart: Endlos zählen; Hysterese: 3',
+    'Kanal 1: Betriebsart: nicht parametriert',
   ]);
 });

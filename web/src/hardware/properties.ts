@@ -36,3 +36,24 @@ export function propertyValue([name, value]: Property): string {
 }
 
 export const propertyText = (property: Property): string => `${propertyName(property[0])}: ${propertyValue(property)}`;
+
+/** Not where the columns beside say it already. */
+const SAID = ['type', 'order number', 'slot'];
+
+type Words = [name: string, value: string];
+
+/** Those of the module under '', then those of each channel and organization block. */
+export function grouped(properties: Property[]): [owner: string, words: Words[]][] {
+  const groups = new Map<string, Words[]>([['', []]]);
+  for (const property of properties) {
+    const [owner, key] = parts(property[0]);
+    groups.set(owner, [...(groups.get(owner) ?? []), [worded(key), propertyValue(property)]]);
+  }
+  return [...groups].map(([owner, words]) => [owner && ownerText(owner), words]);
+}
+
+/** One line for the module, one for each channel: "Kanal 0: Betriebsart: Endlos zählen; Hysterese: 3". */
+export const onPaper = (properties: Property[]): string[] =>
+  grouped(properties.filter(([name]) => !SAID.includes(name)))
+    .filter(([, words]) => words.length > 0)
+    .map(([owner, words]) => (owner ? `${owner}: ` : '') + words.map((pair) => pair.join(': ')).join('; '));

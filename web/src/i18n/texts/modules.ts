@@ -6,6 +6,7 @@ export const modules = {
   'order number': ['Bestellnummer', 'Order number'],
   slot: ['Steckplatz', 'Slot'],
   signal: ['Signal', 'Signal'],
+  supply: ['Versorgungsspannung', 'Supply voltage'],
   'bus current': ['Strom aus dem Rückwandbus', 'Backplane bus current'],
   'input delay': ['Eingangsverzögerung', 'Input delay'],
   resolution: ['Auflösung', 'Resolution'],
