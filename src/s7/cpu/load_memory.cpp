@@ -14,12 +14,6 @@ const block::Block* findBlock(const block::Program* program, BlockId id) {
   return found == program->end() ? nullptr : &found->second;
 }
 
-bool sameData(const block::Block& a, const block::Block& b) {
-  const block::Attributes &x = a.attributes, &y = b.attributes;
-  return a.actualData == b.actualData && a.initialData == b.initialData &&
-         x.readOnly == y.readOnly && x.unlinked == y.unlinked && x.nonRetain == y.nonRetain;
-}
-
 using Table = std::vector<const Code*>;
 
 Table* tableOf(Machine& m, BlockKind kind) {

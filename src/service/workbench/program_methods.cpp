@@ -1,4 +1,5 @@
 // The program: compile, compare, load into the CPU, look at its blocks.
+#include "workbench/inherited.h"
 #include "workbench/message.h"
 #include "workbench/program_rows.h"
 #include "workbench/start_declaration.h"
@@ -136,6 +137,7 @@ Answer loadConfiguration(const Call& call, Download& load) {
     return refusedLoad(
         "merker.toml has changed; several stations are loaded anew together, in the view of the "
         "network");
+  inherit(*load.plc, call.plc());
   call.shared.show(std::move(load.plc), call.shared.example, std::move(load.seen));
   return empty();
 }
