@@ -280,3 +280,17 @@ test('online: the blocks of the CPU, their text, upload and delete (S7-MGR-15)',
   await page.getByRole('dialog').getByRole('button', { name: 'In der CPU löschen' }).click();
   await expect(() => block('FC 1').count(), 0);
 });
+
+test('a copy of a block of the CPU is to read, says that it is no part of the program, and can be deleted', async () => {
+  assert.ok(existsSync(join(server.project, 'online/FC1.awl')));
+  await page.getByRole('tab', { name: 'Offline' }).click();
+  await page.getByRole('button', { name: 'online/FC1.awl' }).click();
+  await page.getByRole('note').filter({ hasText: 'Kopie aus der CPU' }).waitFor();
+  const before = await text(page);
+  await content(page).focus();
+  await page.keyboard.type('// lost');
+  assert.equal(await text(page), before);
+  assert.equal(await button('Laden').count(), 0);
+  await accessible(page, 'a copy');
+  await dispose('online/FC1.awl');
+});

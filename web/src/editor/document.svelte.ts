@@ -26,6 +26,8 @@ export class OpenDocument {
     private readonly drafts: Drafts,
     /** The block of which this is the machine code, to read only. */
     readonly code: { block: string; side: 'offline' | 'online' } | null = null,
+    /** A file that was fetched from the CPU and is no part of the program: to read only. */
+    readonly copied = false,
   ) {
     this.stored = stored;
     this.text = this.settled = stored.text;
@@ -36,7 +38,7 @@ export class OpenDocument {
   }
 
   get readonly(): boolean {
-    return this.code !== null;
+    return this.code !== null || this.copied;
   }
 
   get dirty(): boolean {

@@ -1,4 +1,4 @@
-// All texts of the project for a search: what is typed counts, the other files are read once for each change of them.
+// All texts of the project for a search, without copies of blocks of the CPU: what is typed counts, the other files are read once for each change of them.
 import { connection } from '../connection';
 import { workspace } from './workspace.svelte';
 
@@ -24,7 +24,9 @@ class Texts {
     }
     const texts = new Map<string, string>();
     const unread: string[] = [];
-    const paths = workspace.files.map(({ path }) => path).filter((path) => !noText.test(path));
+    const paths = workspace.files
+      .map(({ path }) => path)
+      .filter((path) => !noText.test(path) && !workspace.isCopy(path));
     const rest = [...paths];
     const read = async () => {
       for (let path = rest.shift(); path !== undefined && wanted(); path = rest.shift()) {

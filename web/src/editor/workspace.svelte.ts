@@ -72,7 +72,7 @@ class Workspace {
     const answer = await attempt(connection.ask('files.list'));
     if (answer) this.files = answer.files;
     for (const document of [...this.documents.values()])
-      if (document.readonly) continue;
+      if (document.code) continue;
       else if (this.exists(document.path)) await this.reread(document);
       else if (!document.dirty) this.close(document.path);
     if (answer && !this.restored) await this.restore();
@@ -111,7 +111,7 @@ class Workspace {
     if (document) return document;
     const stored = await ask(connection.ask('files.read', { path }));
     if (!stored) return undefined;
-    const fresh = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
+    const fresh = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts, null, this.isCopy(path));
     this.documents.set(path, fresh);
     return this.documents.get(path);
   }
@@ -134,7 +134,7 @@ class Workspace {
   /** With what was typed in it; references of merker.toml are the server's. */
   async rename(path: string, to: string): Promise<boolean> {
     const document = this.documents.get(path);
-    if (document && !(await this.save(document))) return false;
+    if (document && !document.readonly && !(await this.save(document))) return false;
     const answer = await attempt(connection.ask('files.rename', { path, to }));
     if (answer === undefined) return false;
     const shown = this.current?.path === path;
@@ -142,6 +142,11 @@ class Workspace {
     this.close(path);
     if (shown) await this.open(to);
     return true;
+  }
+
+  /** Blocks that the project has as well are saved there; they are compiled only if merker.toml names them. */
+  isCopy(path: string): boolean {
+    return path.startsWith('online/') && !this.blocks.offline.some((block) => block.file === path);
   }
 
   private exists(path: string): boolean {

@@ -156,6 +156,10 @@ export const program = {
   takeTheirs: ['Anderen Text übernehmen', 'Take the other text'],
   showDifference: ['Unterschied zeigen', 'Show difference'],
   readOnly: ['Nur lesen: aus der CPU', 'Read only: from the CPU'],
+  copied: [
+    'Kopie aus der CPU: Sie gehört nicht zum Programm und wird nicht geladen. Was davon gelten soll, in die Quelle des Bausteins übernehmen.',
+    'Copy from the CPU: it is no part of the program and is not loaded. Put into the source of the block what shall hold.',
+  ],
   closeFile: ['{file} schließen', 'Close {file}'],
   openTexts: ['Offene Texte', 'Open texts'],
   pick: ['Links einen Baustein oder eine Datei wählen.', 'Select a block or a file on the left.'],
