@@ -115,9 +115,10 @@ class Marker {
 
 }  // namespace
 
-Network canonical(Network network, const Rules& rules, std::uint32_t firstWire) {
+Network canonical(Network network, const Rules& rules, std::uint32_t firstWire,
+                  Unfinished unfinished) {
   for (Rung& rung : network.rungs) simplify(rung.logic);
-  complete(network, rules);
+  complete(network, rules, unfinished);
   for (Rung& rung : network.rungs) Marker().rung(rung);
   numberWires(network, firstWire);
   return network;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "graph/network.h"
+#include "graph/read.h"
 #include "graph/rules.h"
 
 namespace merker::graph {
 
 // Any tree; groups of one and groups in groups of the same kind are dissolved, joins and brackets
 // set, temporary bits numbered in the order of their use from `firstWire` on.
-Network canonical(Network network, const Rules& rules, std::uint32_t firstWire);
+Network canonical(Network network, const Rules& rules, std::uint32_t firstWire,
+                  Unfinished unfinished = Unfinished::Allowed);
 
 }  // namespace merker::graph

@@ -126,14 +126,15 @@ void complete(Coil& coil) {
   for (Operand& value : coil.values) give(value, kMissingValue);
 }
 
-void complete(Network& network, const Rules& rules) {
+void complete(Network& network, const Rules& rules, Unfinished unfinished) {
   std::erase_if(network.rungs,
                 [](const Rung& rung) { return rung.logic.empty() && rung.coils.empty(); });
   for (Rung& rung : network.rungs) {
-    const bool first = &rung == &network.rungs.front(), last = &rung == &network.rungs.back();
+    const bool last = &rung == &network.rungs.back();
+    const bool alone = unfinished == Unfinished::Part && &rung == &network.rungs.front();
     if (rung.logic.empty() && rung.coils.size() == 1)
       rung.coils.front().element = &rules.elements->counterpart(*rung.coils.front().element, false);
-    if (rung.logic.empty() && !first && !isRail(rung.coils.front()))
+    if (rung.logic.empty() && !alone && !isRail(rung.coils.front()))
       rung.logic.push_back(missingContact());
     if (rung.coils.empty() && !last && !takesSignal(rung.logic.front()))
       rung.coils.push_back({rules.elements->find("COIL"), {}, {}, 0, 0});

@@ -130,7 +130,7 @@ Result<Statements, EditProblem> copy(const Network& network, std::span<const Sel
   const auto copy = copied(network, elements, rules, firstWire);
   if (!copy) return EditProblem::NoNode;
   Statements statements = write(*copy, rules);
-  if (const auto again = read(statements, rules, Unfinished::Allowed); !again)
+  if (const auto again = read(statements, rules, Unfinished::Part); !again)
     return problemOf(again.error().reason);
   return statements;
 }

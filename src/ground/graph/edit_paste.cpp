@@ -111,7 +111,7 @@ std::optional<Network> copied(const Network& network, std::span<const Selection>
   std::sort(coils.begin(), coils.end(), inOrder);
   Network out;
   out.rungs.push_back(rungOf(std::move(nodes), std::move(coils)));
-  return canonical(separated(std::move(out)), rules, firstWire);
+  return canonical(separated(std::move(out)), rules, firstWire, Unfinished::Part);
 }
 
 bool carriesBranch(const Network& network, const Selection& element) {

@@ -38,8 +38,11 @@ class NodeInserter {
     if (edit_.place == Place::Parallel) return EditProblem::BranchPlace;
     at.coil->element = &editing_.rules.elements->counterpart(*at.coil->element, true);
     if (isRail(*at.coil)) return EditProblem::RailCoil;
+    const bool acts = beginsOnSignal(node);
+    if (!acts && !at.rung->logic.empty() && isMissingContact(at.rung->logic.front()))
+      at.rung->logic.clear();
     if (!at.rung->logic.empty()) return behind(wholeLogic(*at.rung), std::move(node));
-    if (beginsOnSignal(node)) return EditProblem::Rail;
+    if (acts) return EditProblem::Rail;
     at.rung->logic.push_back(std::move(node));
     return std::nullopt;
   }

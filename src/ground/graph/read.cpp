@@ -26,10 +26,7 @@ std::optional<Refusal> misledJump(std::span<const Statement> statements) {
 class NetworkReader {
  public:
   NetworkReader(std::span<const Statement> statements, const Rules& rules, Unfinished unfinished)
-      : cursor_(statements),
-        rules_(rules),
-        unfinished_(unfinished == Unfinished::Allowed),
-        expressions_(cursor_, rules) {}
+      : cursor_(statements), rules_(rules), unfinished_(unfinished), expressions_(cursor_, rules) {}
 
   Result<Network, Refusal> read() {
     while (!cursor_.atEnd())
@@ -48,7 +45,8 @@ class NetworkReader {
       rung.straight = cursor_.isBld(bld::kStraight) && cursor_.takeIf(Op::BLD);
       while (coil(rung)) {
       }
-      if (rung.coils.empty() && !(unfinished_ && cursor_.atEnd())) return blame(rung);
+      if (rung.coils.empty() && (unfinished_ == Unfinished::Refused || !cursor_.atEnd()))
+        return blame(rung);
     }
     network_.rungs.push_back(std::move(rung));
     return true;
@@ -61,15 +59,15 @@ class NetworkReader {
     return false;
   }
 
-  // Coils without logic, if they may be unfinished: only as the first rung, else they would belong
-  // to the one before.
+  // Coils without logic stand only at the beginning of a part, else they would belong to the rung
+  // before.
   bool canFollow(ElementClass kind, const Rung& rung) const {
     if (kind == ElementClass::RailCoil) return rung.logic.empty() && rung.coils.empty();
     if (kind != ElementClass::Coil) return false;
     if (!rung.logic.empty()) return true;
     const bool atRail =
         !rung.coils.empty() && rung.coils.front().element->row.kind == ElementClass::RailCoil;
-    return unfinished_ && network_.rungs.empty() && !atRail;
+    return unfinished_ == Unfinished::Part && network_.rungs.empty() && !atRail;
   }
 
   bool coil(const Element& element, Rung& rung) {
@@ -108,9 +106,22 @@ class NetworkReader {
     const Op op = cursor_.op();
     if (unknown(0)) return false;
     if (op == Op::CLOSE) return cursor_.refuse(Reason::Brackets);
+    if (rung.logic.empty() && beginsCoil()) return cursor_.refuse(Reason::NoLogic);
     if (op == Op::LOAD || op == Op::LOAD_BCD || op == Op::TRANSFER) return accumulator();
     if (!rung.logic.empty() || op == Op::CALL) return cursor_.refuse(Reason::Box);
-    return cursor_.refuse(isCoil(op) ? Reason::NoLogic : Reason::Operation);
+    return cursor_.refuse(Reason::Operation);
+  }
+
+  // Also of several statements: the value and the timer.
+  bool beginsCoil() {
+    const auto elements = rules_.elements->elements();
+    const std::size_t at = cursor_.at();
+    return std::any_of(elements.begin(), elements.end(), [this, at](const Element& element) {
+      Rung alone;
+      const bool found = element.row.kind == ElementClass::Coil && coil(element, alone);
+      cursor_.back(at);
+      return found;
+    });
   }
 
   // What no picture has, so many statements ahead.
@@ -133,16 +144,9 @@ class NetworkReader {
     return cursor_.refuse(Reason::Accumulator);
   }
 
-  bool isCoil(Op op) const {
-    const auto elements = rules_.elements->elements();
-    return std::any_of(elements.begin(), elements.end(), [op](const Element& element) {
-      return element.row.kind == ElementClass::Coil && element.items.front().op == op;
-    });
-  }
-
   Cursor cursor_;
   const Rules& rules_;
-  bool unfinished_;
+  Unfinished unfinished_;
   ExpressionReader expressions_;
   Network network_;
 };

@@ -1,6 +1,7 @@
 // Statements to a network, or the reason why they stay AWL.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/result.h"
@@ -10,8 +11,10 @@
 
 namespace merker::graph {
 
-// Whether a rung may lack its coil or its logic, as while it is being drawn.
-enum class Unfinished : bool { Refused, Allowed };
+// Allowed: the last rung may lack its coil, as while it is being drawn. Part: what was copied of a
+// network may also begin with coils alone. In a network these would take the result of the one
+// before, which no picture shows (STEP 7 leaves it AWL).
+enum class Unfinished : std::uint8_t { Refused, Allowed, Part };
 
 // Every network it returns is written back as the same statements.
 Result<Network, Refusal> read(std::span<const Statement> statements, const Rules& rules,

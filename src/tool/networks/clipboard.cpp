@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "graph/read.h"
 #include "networks/free_labels.h"
 #include "networks/tree_edit.h"
 #include "networks/whole_edit.h"
@@ -99,11 +100,13 @@ Edited pasteNetworks(const source::SourceFile& file, const Found& found, const T
 }
 
 Edited pasteElements(const source::SourceFile& file, Found& found, std::size_t network,
-                     graph::Edit edit, const Network& pasted, const Surroundings& around) {
+                     graph::Edit edit, const graph::Statements& pasted,
+                     const Surroundings& around) {
   if (!found.block.networks[network - 1].tree) return Refusal{Obstacle::Awl};
-  if (!pasted.tree || pasted.source.statements.empty()) return Refusal{Obstacle::Clipboard};
+  auto part = graph::read(pasted, *found.block.rules, graph::Unfinished::Part);
+  if (!part || pasted.empty()) return Refusal{Obstacle::Clipboard};
   edit.action = graph::Action::Paste;
-  edit.pasted = *pasted.tree;
+  edit.pasted = std::move(*part);
   return treeEdit(file, found, network, edit, around);
 }
 
@@ -133,7 +136,8 @@ Edited paste(const source::SourceFile& file, std::uint32_t line, std::size_t net
   const auto trial = tried(file, *found, network, before, linesOf(lines), around);
   if (!trial) return Refusal{Obstacle::Clipboard};
   if (trial->whole || trial->count > 1) return pasteNetworks(file, *found, *trial, around);
-  return pasteElements(file, *found, network, place, trial->block.networks[trial->first], around);
+  return pasteElements(file, *found, network, place,
+                       trial->block.networks[trial->first].source.statements, around);
 }
 
 }  // namespace merker::networks

@@ -21,7 +21,7 @@ std::string copyOf(const std::string& network, const std::vector<std::string>& e
 Edit paste(const std::string& at, Place place, const std::string& what) {
   Edit edit = act(Action::Paste, at);
   edit.place = place;
-  edit.pasted = networkOf(what);
+  edit.pasted = networkOf(what, graph7::rules(), Unfinished::Part);
   return edit;
 }
 Edit move(const std::string& from, const std::string& at, Place place) {
@@ -109,7 +109,7 @@ TEST(Moves, TakeTheElementWithThem) {
       {"O E 0.0; O E 0.1; U E 0.2; = A 0.0", move("2", "3", kBehind),
        "U(; O E 0.0; O E 0.1; ); U E 0.2; = A 0.0 [4:-1]"},
       {"U E 0.0; = A 0.0; U E 0.1; = A 0.1", move("0", "2", kBehind),
-       "= A 0.0; U E 0.1; U E 0.0; = A 0.1 [2:-1]"},
+       "U ??.?; = A 0.0; U E 0.1; U E 0.0; = A 0.1 [3:-1]"},
       {"U E 0.0; = A 0.0; U E 0.1; = A 0.1", move("1", "3", kBehind),
        "U E 0.0; = ??.?; U E 0.1; = A 0.1; = A 0.0 [4:-1]"},
       // What comes to a box stays.

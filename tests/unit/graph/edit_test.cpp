@@ -25,9 +25,41 @@ TEST(Edit, DrawsALatchFromNothing) {
        "U(; O E 0.0; O A 1.0; ); U E 0.1; = A 3.0 [2:-1]"},
       {"U(; O E 0.0; O A 1.0; ); U E 0.1; = A 3.0", act(Action::CloseBranch, "2"),
        "U E 0.0; U E 0.1; O A 1.0; = A 3.0 [2:-1]"},
-      {"", insert("", kBehind, "COIL"), "= ??.? [0:0]"},
-      {"= A 3.0", insert("0", kBefore, "CONTACT_NOT", {"E 0.0"}), "UN E 0.0; = A 3.0 [0:-1]"},
   });
+}
+
+// A bare `=` takes the result of the network before: a picture never writes one.
+TEST(Edit, PutsNoCoilWithoutLogic) {
+  expectAll({
+      {"", insert("", kBehind, "COIL"), "U ??.?; = ??.? [1:0]"},
+      {"", insert("", kBehind, "S", {"A 3.0"}), "U ??.?; S A 3.0 [1:-1]"},
+      {"", insert("", kBehind, "SAVE"), "U ??.?; SAVE [1:-1]"},
+      {"", insert("", kBehind, "SD"), "U ??.?; L ???; SE ??? [2:0]"},
+      {"U ??.?; = A 3.0", insert("1", kBehind, "CONTACT_NOT", {"E 0.0"}),
+       "UN E 0.0; = A 3.0 [0:-1]"},
+      {"U ??.?; = A 3.0", insert("1", kBehind, "NOT"), "U ??.?; NOT; = A 3.0 [1:-1]"},
+  });
+}
+
+void expectNoLogic(const char* bare, const Rules& rules) {
+  const Statements written = test::statements(bare);
+  for (const Unfinished unfinished : {Unfinished::Refused, Unfinished::Allowed}) {
+    const auto network = read(written, rules, unfinished);
+    ASSERT_FALSE(network) << bare;
+    EXPECT_EQ(network.error().reason, Reason::NoLogic) << bare;
+    EXPECT_EQ(network.error().statement, 0u) << bare;
+  }
+}
+
+// Of a whole network; a copied part may begin with them.
+TEST(Reading, LeavesCoilsWithoutLogicAwl) {
+  for (const char* bare : {"= A 3.0", "S A 3.0", "R A 3.0", "= A 1.0; S A 1.1"}) {
+    expectNoLogic(bare, graph7::rules());
+    expectNoLogic(bare, graph5::rules());
+  }
+  for (const char* bare : {"L S5T#2S; SE T 1", "SAVE", "CC FC 1"})
+    expectNoLogic(bare, graph7::rules());
+  EXPECT_TRUE(read(test::statements("= A 3.0; S A 3.1"), graph7::rules(), Unfinished::Part));
 }
 
 TEST(Edit, PutsElementsBeforeAndBehind) {
@@ -163,7 +195,7 @@ TEST(Edit, TakesOut) {
        "U E 0.1; = A 0.0 [0:-1]"},
       {"U E 0.0; NOT; = A 0.0", act(Action::Delete, "0"), "U ??.?; NOT; = A 0.0 [1:-1]"},
       {"U E 0.0; = A 0.0", act(Action::Delete, "1"), "U E 0.0 [0:-1]"},
-      {"U E 0.0; = A 0.0", act(Action::Delete, "0"), "= A 0.0 [0:-1]"},
+      {"U E 0.0; = A 0.0", act(Action::Delete, "0"), "U ??.?; = A 0.0 [1:-1]"},
       {"U E 0.0; = A 0.0; U E 0.1; = A 0.1", act(Action::Delete, "1"),
        "U E 0.0; = ??.?; U E 0.1; = A 0.1 [0:-1]"},
       {"U ??.?; = ??.?; U E 0.1; = A 0.1", act(Action::Delete, "1"), "U E 0.1; = A 0.1 [-1:-1]"},

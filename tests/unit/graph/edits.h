@@ -16,8 +16,9 @@ using test::kFirstWire;
 using test::operand;
 using test::statements;
 
-inline Network networkOf(const std::string& text, const Rules& rules = graph7::rules()) {
-  const auto network = read(statements(text), rules, Unfinished::Allowed);
+inline Network networkOf(const std::string& text, const Rules& rules = graph7::rules(),
+                         Unfinished unfinished = Unfinished::Allowed) {
+  const auto network = read(statements(text), rules, unfinished);
   EXPECT_TRUE(network) << text;
   return network ? *network : Network{};
 }

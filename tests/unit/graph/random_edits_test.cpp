@@ -62,7 +62,7 @@ Network anyPasted(const Network& network, const Rules& rules) {
   for (int i = 1 + below(3); i > 0; --i) some.push_back(anySelection(network));
   const auto copied = copy(network, some, rules, kFirstWire);
   if (!copied) return {};
-  const auto again = read(*copied, rules, Unfinished::Allowed);
+  const auto again = read(*copied, rules, Unfinished::Part);
   RC_ASSERT(again.has_value());
   return *again;
 }
