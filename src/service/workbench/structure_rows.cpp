@@ -9,18 +9,32 @@ namespace {
 
 // SFC and SFB of the CPU; macros and data blocks of the system of a SINUMERIK.
 bool brings(const compilation::Build& build, BlockId id) {
-  if (!build.isListing()) return build.library && build.library->contains(id);
+  if (!build.isListing()) {
+    const bool system = id.kind == BlockKind::SFC || id.kind == BlockKind::SFB;
+    return system && build.library->contains(id);
+  }
   if (id.kind == BlockKind::FB) return mc5::findResident(id.number) != nullptr;
   return id.kind == BlockKind::DB &&
          sinumerik::isSystemBlock(id.number, build.project.control->plc.systemBlocks);
+}
+
+// FC 1 to FC 105 and the like, which are no part of a CPU: a CALL means them, UC and CC a block of
+// the user's own (P0508).
+bool isOfLibrary(const compilation::Build& build, const monitor::UsedBlock& used) {
+  return used.called && !build.isListing() && build.library->contains(used.id);
+}
+
+std::string_view origin(const compilation::Build& build, const monitor::UsedBlock& used) {
+  if (build.code().find(used.id)) return "program";
+  if (brings(build, used.id)) return "cpu";
+  return isOfLibrary(build, used) ? "library" : "missing";
 }
 
 Json usedRow(const compilation::Build& build, const monitor::UsedBlock& used) {
   Json row = {{"id", toString(used.id)}};
   if (used.instance >= 0)
     row["instance"] = toString(BlockId{BlockKind::DB, static_cast<std::uint16_t>(used.instance)});
-  const bool own = build.code().find(used.id).has_value();
-  row["from"] = own ? "program" : brings(build, used.id) ? "cpu" : "missing";
+  row["from"] = origin(build, used);
   return row;
 }
 

@@ -9,7 +9,7 @@ namespace merker::monitor {
 struct UsedBlock {
   BlockId id{};
   std::int32_t instance = -1;  // data block that the CALL of a function block names
-  auto operator<=>(const UsedBlock&) const = default;
+  bool called = false;         // by a CALL, with parameters; else by UC or CC
 };
 
 struct BlockStructure {

@@ -48,7 +48,7 @@ export interface BlockText { id: string; code: string; checksum: string; source:
 /** `bits`: which of its bits are used as bits */
 export interface AssignedByte { area: string; byte: number; bits: number; byByte: boolean; byWord: boolean; byDWord: boolean }
 /** `instance`: the data block of a CALL; `from`: where the block is */
-export interface UsedBlock { id: string; instance?: string; from: 'program' | 'cpu' | 'missing' }
+export interface UsedBlock { id: string; instance?: string; from: 'program' | 'cpu' | 'library' | 'missing' }
 /** `local`: bytes of local data of its own, where the PLC has local data; `uses`: blocks that it calls, data blocks that it opens or accesses */
 export interface StructureRow { id: string; local?: number; uses: UsedBlock[] }
 /** `access` is "R", "W", "RW" or "CALL" */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import type { StructureRow, UsedBlock } from '../connection/protocol';
+import type { BlockRow, StructureRow, UsedBlock } from '../connection/protocol';
 import { callTree, deepest } from './call_tree';
 
 const used = (text: string): UsedBlock => {
@@ -43,6 +43,19 @@ test('instances stand at their calls, data blocks are leaves', () => {
     '  DB 3',
     ' FB 1, DB 12 (above)',
     ' DB 3',
+  ]);
+});
+
+test('a data block that nobody opens says so; a library block is none of the CPU', () => {
+  const rows = ['OB 1', 'DB 10', 'DB 2', 'DB 3', 'FB 1'].map((id) => ({ id }) as BlockRow);
+  const library: UsedBlock = { id: 'FC 97', from: 'library' };
+  const structure = [{ id: 'OB 1', uses: [used('FB 1, DB 3'), used('DB 2'), library] }, block('FB 1')];
+  expect(callTree(rows, structure).map(({ id, mark }) => `${id} ${mark}`.trim())).toEqual([
+    'OB 1',
+    'FB 1',
+    'FC 97 ofLibrary',
+    'DB 2',
+    'DB 10 unopened',
   ]);
 });
 

@@ -12,11 +12,11 @@ export interface CallRow {
   /** Bytes of local data, of the block itself and with those of all above it; undefined: it has none. */
   local: number | undefined;
   path: number | undefined;
-  /** It calls itself, directly or through others; it has been unfolded above; nobody calls it; the CPU has it, or nobody. */
-  mark: '' | 'recursive' | 'above' | 'unused' | 'ofCpu' | 'missing';
+  /** It calls itself, directly or through others; it has been unfolded above; nobody calls or opens it; the CPU has it, a library, or nobody. */
+  mark: '' | 'recursive' | 'above' | 'unused' | 'unopened' | 'ofCpu' | 'ofLibrary' | 'missing';
 }
 
-const marks = { program: '', cpu: 'ofCpu', missing: 'missing' } as const;
+const marks = { program: '', cpu: 'ofCpu', library: 'ofLibrary', missing: 'missing' } as const;
 const order = (a: UsedBlock, b: UsedBlock): number =>
   compareIds(a.id, b.id) || compareIds(a.instance ?? '', b.instance ?? '');
 
@@ -58,6 +58,9 @@ export function callTree(blocks: readonly BlockRow[], structure: readonly Struct
   for (const id of ids) if (id.startsWith('OB ')) start(id, '');
   // Nobody reaches the others; of those that call each other the one is shown that calls.
   for (const id of ids) if (!done.has(id)) start(id, 'unused');
+  const instances = new Set(rows.map(({ instance }) => instance));
+  const data = [...known.keys()].filter((id) => id.startsWith('DB ')).sort(compareIds);
+  for (const id of data) if (!done.has(id) && !instances.has(id)) start(id, 'unopened');
   return rows;
 }
 

@@ -13,6 +13,8 @@ export const references = {
   remark: ['Bemerkung', 'Remark'],
   recursive: ['ruft sich selbst auf', 'calls itself'],
   above: ['Aufrufe siehe oben', 'calls see above'],
+  unopened: ['wird nicht benutzt', 'is not used'],
+  ofLibrary: ['Baustein der Bibliothek', 'block of the library'],
   ofCpu: ['Baustein der CPU', 'block of the CPU'],
   missing: ['fehlt', 'missing'],
   local: ['Lokaldaten', 'Local data'],
