@@ -179,7 +179,7 @@ Answer blocks(const Call& call) {
     const compilation::Build& build = cpu ? *both.build : *both.offline->build;
     if (build.isListing())
       return Json{{"blocks", blockRows(build.listings, build.project, aside.folder)}};
-    return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder)}};
+    return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder, cpu)}};
   });
 }
 
@@ -200,7 +200,8 @@ Answer uploaded(const Aside& aside, const Both& both) {
   Json files = Json::array();
   for (const auto& [id, block] : *both.online) {
     const auto source = sources.find(id);
-    if (!(wanted->all || wanted->blocks.contains(id)) || source == sources.end()) continue;
+    const bool named = wanted->all ? id.kind != BlockKind::UDT : wanted->blocks.contains(id);
+    if (!named || source == sources.end()) continue;
     const bool known = both.offline->sources.contains(id);
     const std::string path =
         fmt::format("{}{}{}.awl", known ? "online/" : "", name(id.kind), id.number);

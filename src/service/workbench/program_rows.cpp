@@ -89,12 +89,17 @@ std::string dataText(const block::Block& block) {
   return text + "\n";
 }
 
+// A UDT exists in the project only.
+bool isLoaded(BlockId id) { return id.kind != BlockKind::UDT; }
+bool isLoaded(mc5::BlockId) { return true; }
+
 }  // namespace
 
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
-               const ProjectFolder& folder) {
+               const ProjectFolder& folder, bool cpu) {
   Json list = Json::array();
   for (const auto& [id, block] : program) {
+    if (cpu && !isLoaded(id)) continue;
     const monitor::BlockRow row = monitor::blockRow(block);
     const auto source = sources.find(id);
     const bool known = source != sources.end();
@@ -191,6 +196,7 @@ template <class Program>
 Json compared(const Program& offline, const Program& online) {
   Json list = Json::array();
   for (const auto& [id, block] : offline) {
+    if (!isLoaded(id)) continue;
     const auto other = online.find(id);
     const bool there = other != online.end();
     const std::string where = there ? difference(block, other->second) : "";
@@ -201,7 +207,7 @@ Json compared(const Program& offline, const Program& online) {
                     {"where", where}});
   }
   for (const auto& [id, block] : online)
-    if (!offline.contains(id))
+    if (isLoaded(id) && !offline.contains(id))
       list.push_back({{"id", textOf(id)}, {"state", "onlyOnline"}, {"where", ""}});
   return list;
 }

@@ -11,8 +11,9 @@ namespace merker::workbench {
 // `sources`: where the blocks stand.
 Json blockRows(const mc5::Program& program, const project::Project& project,
                const ProjectFolder& folder);
+// `cpu`: as they are in it.
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
-               const ProjectFolder& folder);
+               const ProjectFolder& folder, bool cpu);
 // Where the compiler has put the variables of each block (S7-EDIT-02).
 Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                    const ProjectFolder& folder);

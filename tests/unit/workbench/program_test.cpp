@@ -142,18 +142,21 @@ TEST(Program, BlocksAreListed) {
   }
 }
 
-// S7-EDIT-22: SFC 64 is of the CPU, FC 60 of nobody.
+// S7-EDIT-22: SFC 64 is of the CPU, FC 60 of nobody, and so is FC 99 when it is called without
+// parameters: FC 97 of the library is not (P0508).
 TEST(Program, StructureSaysWhatIsMissing) {
   Bench bench(
       "DATA_BLOCK DB 1\nSTRUCT\n a : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"
-      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n AUF DB 1;\n UC FC 60;\n"
-      " CALL SFC 64 (RET_VAL := MD 50);\nEND_ORGANIZATION_BLOCK\n");
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n AUF DB 1;\n UC FC 60;\n UC FC 99;\n"
+      " CALL FC 97 (in := MW 10, RET_VAL := MD 60);\n CALL SFC 64 (RET_VAL := MD "
+      "50);\nEND_ORGANIZATION_BLOCK\n");
   const Json list = bench.call("program.structure")["blocks"];
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0]["id"], "OB 1");
   EXPECT_GE(list[0]["local"], 20);
   EXPECT_EQ(list[0]["uses"], Json::parse(R"([{"id":"DB 1","from":"program"},
-      {"id":"FC 60","from":"missing"},{"id":"SFC 64","from":"cpu"}])"));
+      {"id":"FC 60","from":"missing"},{"id":"FC 97","from":"library"},
+      {"id":"FC 99","from":"missing"},{"id":"SFC 64","from":"cpu"}])"));
 }
 
 TEST(Program, BlocksOfTheCpuBecomeSources) {
@@ -166,6 +169,22 @@ TEST(Program, BlocksOfTheCpuBecomeSources) {
   // The project has FC 1 already: it is not compiled twice.
   EXPECT_EQ(bench.call("program.check")["problems"], Json::array());
   bench.call("program.load");
+}
+
+// A UDT exists in the project only.
+TEST(Program, ADataTypeIsInNoCpu) {
+  Bench bench("TYPE UDT 1\nSTRUCT\n a : INT;\nEND_STRUCT\nEND_TYPE\n" + program(1));
+  const auto names = [&bench](const Json& list) {
+    std::string all;
+    for (const Json& row : list) all += row["id"].get<std::string>() + " ";
+    return all;
+  };
+  EXPECT_EQ(names(bench.call("program.blocks", {{"side", "offline"}})["blocks"]),
+            "UDT 1 OB 1 FC 1 ");
+  EXPECT_EQ(names(bench.call("program.blocks", {{"side", "online"}})["blocks"]), "OB 1 FC 1 ");
+  EXPECT_EQ(names(bench.call("program.compare")["blocks"]), "OB 1 FC 1 ");
+  const Json files = bench.call("program.upload")["files"];
+  EXPECT_EQ(files, Json::array({"online/OB1.awl", "online/FC1.awl"}));
 }
 
 TEST(Program, ABlockThatTheProjectLostComesBackIntoIt) {
