@@ -12,11 +12,13 @@
 namespace merker::station {
 namespace {
 
-std::string placeText(const cpu::Place& place, const block::Program& program) {
+// The line only while the block is the one that ran.
+std::string placeText(const cpu::Place& place, const block::Program& program,
+                      const cpu::Machine& machine) {
   if (!place.known) return {};
   std::string text = fmt::format(", {} byte {}", toString(place.block), place.offset);
   const auto found = program.find(place.block);
-  if (found == program.end()) return text;
+  if (found == program.end() || machine.runsAnother(found->second)) return text;
   const block::Block& block = found->second;
   const std::uint32_t line = block.line(place.offset);
   if (line != 0) text += fmt::format(" ({}:{})", block.file, line);
@@ -105,8 +107,8 @@ std::string Station::stopReason() const {
   if (!powered()) return "the CPU is switched off";
   const cpu::DiagnosticEvent& event = parts_->cpu.state().stopEvent();
   if (event.text.empty()) return {};
-  return fmt::format("{}{} [16#{:04X}]", event.text, placeText(event.place, program()),
-                     event.event);
+  return fmt::format("{}{} [16#{:04X}]", event.text,
+                     placeText(event.place, program(), parts_->cpu.machine()), event.event);
 }
 
 void Station::setSwitch(cpu::SwitchPosition position) { parts_->cpu.turnSwitch(position); }

@@ -5,6 +5,7 @@
 #include "base/bytes.h"
 #include "cpu/asynchronous_errors.h"
 #include "cpu/cpu.h"
+#include "monitor/stacks.h"
 
 namespace merker::monitor {
 namespace {
@@ -33,7 +34,7 @@ std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
     line.text = event->text;
     line.help = diagnosticHelp(event->event);
     if (event->place.known)
-      line.place = sourcePlace(station.program(), event->place.block, event->place.offset);
+      line.place = placeNow(cpu, station.program(), event->place.block, event->place.offset);
     line.module = moduleOf(*event);
     list.push_back(std::move(line));
   }
