@@ -265,6 +265,21 @@ test('with the mouse: Ctrl and Shift click, a frame, all of them dragged', async
   }
 });
 
+test('after aligning the arrow keys move the symbols; a button without a text is seen', async () => {
+  await lamps([20, 20], [100, 60]);
+  await lamp(0).focus();
+  await page.keyboard.press('Control+a');
+  await page.getByRole('button', { name: 'Oben ausrichten' }).click();
+  await expect(placesOf, '20,20 100,20');
+  await page.keyboard.press('ArrowDown');
+  await expect(placesOf, '20,30 100,30');
+  await page.getByRole('button', { name: 'Nach vorn' }).click();
+  await page.keyboard.press('ArrowRight');
+  await expect(placesOf, '30,30 110,30');
+  await insert('Taster');
+  await expect(() => grip('button').innerText(), 'Taster');
+});
+
 const chooser = page.locator('.choice select');
 const choose = async (name, text) => {
   writeFileSync(join(project, `${name}.hmi`), text);

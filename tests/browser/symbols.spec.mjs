@@ -27,7 +27,8 @@ test('a new symbol is saved and known to the program (S7-SYM-04)', async () => {
   await expect(() => cell('Symbol', 9).evaluate((one) => one === document.activeElement), true, 'the focus');
   await page.keyboard.type('Lamp');
   await cell('Operand', 9).fill('A 1.1');
-  await cell('Datentyp', 9).fill('BOOL');
+  await cell('Operand', 9).press('Tab');
+  await expect(() => cell('Datentyp', 9).inputValue(), 'BOOL', 'of the operand');
   await cell('Kommentar', 9).fill('on the door');
   await until(() => save.isEnabled(), 'a table without problems');
   await page.keyboard.press('Control+s');

@@ -297,6 +297,21 @@ test('only what can be forced offers it; operands are not cut', async () => {
   await until(() => field.evaluate((one) => one.scrollWidth <= one.clientWidth), 'the whole operand');
 });
 
+test('23 rows are in sight at 1280x800 as long as nothing is forced', async () => {
+  const fresh = await open(server, 'variables');
+  await fresh.locator('tbody tr').last().locator('input').first().fill('MW 10..100');
+  await fresh.keyboard.press('Tab');
+  await fresh.locator("tr[data-operand='MW 60']").waitFor();
+  const inSight = () =>
+    fresh.locator('.table-frame').evaluate((frame) => {
+      const { bottom } = frame.getBoundingClientRect();
+      const top = frame.querySelector('thead').getBoundingClientRect().bottom;
+      const whole = (row) => row.getBoundingClientRect().top >= top - 1 && row.getBoundingClientRect().bottom <= bottom + 1;
+      return [...frame.querySelectorAll('tr[data-operand]')].filter(whole).length;
+    });
+  await until(async () => (await inSight()) >= 23, '23 rows');
+});
+
 test('what the browser has stored may be anything', async () => {
   const fresh = await open(server, 'variables');
   for (const stored of ['null', '[]', '"x"', '1e308', JSON.stringify({ [server.project]: { path: 5 } })]) {

@@ -22,10 +22,12 @@ TEST_F(Transfer, EachFileHasItsLine) {
                              {"names.sym", "\"Pump\" A 7.0 BOOL\n"},
                              {"start.scn", scenario},
                              {"watch.vat", "MW 20\n"},
+                             {"panel.hmi", "lamp ; 20 ; 20 ; 40 ; 40 ; A 0.0\n"},
                              {"manual.pdf", std::string("%PDF-1.4\0\xFF", 10)}});
-  EXPECT_EQ(result["files"], Json({"motor.awl", "names.sym", "start.scn", "watch.vat"}));
+  EXPECT_EQ(result["files"],
+            Json({"motor.awl", "names.sym", "panel.hmi", "start.scn", "watch.vat"}));
   EXPECT_EQ(bench.folder.read("start.scn"), scenario);
-  for (const char* name : {"motor.awl", "names.sym", "start.scn", "watch.vat"})
+  for (const char* name : {"motor.awl", "names.sym", "panel.hmi", "start.scn", "watch.vat"})
     EXPECT_TRUE(told(result, "came", std::string(name) + " is copied as it is")) << name;
   EXPECT_TRUE(told(result, "beside", "manual.pdf is not a file that can be imported"));
 }

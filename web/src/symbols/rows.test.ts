@@ -1,4 +1,25 @@
 import { expect, test } from 'vitest';
+
+test('the data type comes from the operand', () => {
+  const types: Record<string, string> = {
+    'A 1.1': 'BOOL',
+    'm20.0': 'BOOL',
+    'EB 3': 'BYTE',
+    'mw 10': 'WORD',
+    'PEW 256': 'WORD',
+    'MD 4': 'DWORD',
+  };
+  Object.assign(types, {
+    'T 2': 'TIMER',
+    'Z 1': 'COUNTER',
+    'C 1': 'COUNTER',
+    fc5: 'FC 5',
+    'DB 100': 'DB 100',
+    'UDT 1': 'UDT 1',
+  });
+  for (const [operand, type] of Object.entries(types)) expect(typeOfOperand(operand), operand).toBe(type);
+  for (const none of ['', 'x', 'DB1.DBW 0', 'M 1', 'M 1.8']) expect(typeOfOperand(none), none).toBe('');
+});
 import {
   decode,
   emptyRow,
@@ -9,6 +30,7 @@ import {
   shownRows,
   toText,
   type SymbolRow,
+  typeOfOperand,
 } from './rows';
 
 const row = (symbol: string, operand: string): SymbolRow => ({ symbol, operand, type: 'BOOL', comment: '' });

@@ -23,6 +23,21 @@ export function fromText(text: string): SymbolRow[] {
   return rows.map((row) => ({ ...emptyRow(), ...row }));
 }
 
+const WIDTHS: Record<string, string> = { B: 'BYTE', W: 'WORD', D: 'DWORD' };
+
+/** The data type that STEP 7 fills in for an operand; empty: what the page does not know says the server. */
+export function typeOfOperand(operand: string): string {
+  const { bit, width, timer, counter, block, number } =
+    /^\s*(?:(?<bit>[EAIQM]\s*\d+\.[0-7])|P?[EAIQM](?<width>[BWD])\s*\d+|(?<timer>T\s*\d+)|(?<counter>[ZC]\s*\d+)|(?<block>OB|FC|FB|SFC|SFB|DB|UDT)\s*(?<number>\d+))\s*$/i.exec(
+      operand,
+    )?.groups ?? {};
+  if (bit) return 'BOOL';
+  if (width) return WIDTHS[width.toUpperCase()]!;
+  if (timer) return 'TIMER';
+  if (counter) return 'COUNTER';
+  return block ? `${block.toUpperCase()} ${number}` : '';
+}
+
 /** What a spreadsheet writes around a cell with a quotation mark, and a source around each symbol. */
 const unquoted = (cell: string): string => /^"+(.*?)"+$/.exec(cell)?.[1] ?? cell;
 

@@ -6,7 +6,17 @@ import { pastedInto } from '../state/pasted';
 import { attempt, messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 import { renamedUses } from './renamed_uses.svelte';
-import { emptyRow, fromText, isEmpty, meaningful, toText, type Field, type SymbolRow, type Format } from './rows';
+import {
+  emptyRow,
+  fromText,
+  isEmpty,
+  meaningful,
+  toText,
+  typeOfOperand,
+  type Field,
+  type SymbolRow,
+  type Format,
+} from './rows';
 
 const CHECK_AFTER_MS = 250;
 
@@ -56,6 +66,13 @@ class SymbolTable {
     this.changed();
   }
 
+  /** Its operand has been typed: the data type follows, as in STEP 7. */
+  settle(index: number): void {
+    const row = this.rows[index];
+    const type = row && row.type.trim() === '' ? typeOfOperand(row.operand) : '';
+    if (type) this.change(index, 'type', type);
+  }
+
   add(): number {
     this.rows.push(emptyRow());
     return this.rows.length - 1;
@@ -85,6 +102,7 @@ class SymbolTable {
   async save(): Promise<boolean> {
     const document = this.document;
     if (!document || document.conflict) return false;
+    this.rows.forEach((_, index) => this.settle(index));
     const rows = $state.snapshot(meaningful(this.rows));
     try {
       const { revision } = await connection.ask('symbols.write', {

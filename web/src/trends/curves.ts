@@ -11,6 +11,8 @@ export interface Curve {
   unit: string;
   /** 1: a bit, drawn in a lane of its own. */
   bits: number;
+  /** As the PLC declares it; none of a plant. */
+  type?: string;
   problem?: Problem;
 }
 
@@ -60,6 +62,9 @@ export const titleOf = (curve: Curve): string => curve.symbol || namesOf(curve).
 
 /** Curves of one unit share an axis. */
 export const scaleOf = (curve: Curve) => (curve.bits === 1 ? 'bits' : `unit ${curve.unit}`);
+
+/** Timers and counters, too, are whole numbers. */
+export const isWhole = ({ bits, type }: Curve): boolean => bits > 1 && type !== 'REAL';
 
 /** The part of the chart's height that the lanes of bits take. */
 export function laneShare(curves: Curve[]): number {
