@@ -191,10 +191,13 @@ test('it is loaded in STOP, and the CPU works with the new address (S7-HWCFG-03)
   await page.getByText('Force-Aufträge, Uhrzeit und Diagnosepuffer bleiben').waitFor();
   await page.getByRole('button', { name: 'STOP und laden' }).click();
   await says('Konfiguration geladen');
+  // The switch has not moved, and the STOP is that of the programming device.
+  assert.equal(await page.getByRole('radio', { name: 'RUN-P', exact: true }).getAttribute('aria-checked'), 'true');
+  await page.getByRole('button', { name: 'Neustart' }).click();
+  await page.locator('[data-mode="RUN"]').waitFor();
   await page.getByRole('tab', { name: 'Im Betrieb' }).click();
   await page.getByRole('button', { name: 'Steckplatz 4: SM 321 DI16xDC24V' }).click();
   await page.getByRole('table', { name: 'Klemmen' }).getByText('E 10.0', { exact: true }).waitFor();
-  await turn(page, 'RUN-P');
   await visit(page, server, 'io');
   await page.locator('#tile-operand').fill('EB 10');
   await page.locator('#tile-operand').press('Enter');

@@ -17,6 +17,13 @@ export const hardwarePlan = {
     'Compiled: {count} {count|error|errors}. The Program view lists them.',
   ],
   loaded: ['Konfiguration geladen. Die CPU steht in STOP.', 'Configuration loaded. The CPU is in STOP.'],
+  startAsk: ['CPU starten', 'Start the CPU'],
+  startNow: [
+    'Die Konfiguration ist geladen, die CPU steht in STOP. Jetzt starten (Neustart)?',
+    'The configuration is loaded, the CPU is in STOP. Start it now (warm restart)?',
+  ],
+  restart: ['Neustart', 'Warm restart'],
+  stayStopped: ['In STOP bleiben', 'Stay in STOP'],
   loadAsk: ['Konfiguration laden', 'Load the configuration'],
   loadStop: [
     'Eine geänderte Konfiguration kann nur in STOP geladen werden. Die CPU geht in STOP und bleibt dort.',
