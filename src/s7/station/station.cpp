@@ -246,8 +246,8 @@ const std::vector<DiagnosticEntry>& Station::diagnostics() const {
   p.diagnosticsSeen = buffer.added();
   p.diagnostics.clear();
   for (const cpu::DiagnosticEvent& event : buffer.events())
-    p.diagnostics.push_back(
-        {event.event, event.time, event.text + placeText(event.place, *p.program)});
+    p.diagnostics.push_back({event.event, event.time,
+                             event.text + placeText(event.place, *p.program, p.cpu.machine())});
   return p.diagnostics;
 }
 

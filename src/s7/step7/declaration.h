@@ -57,12 +57,12 @@ class DeclarationParser {
   // name {, name} [attributes] : type [:= value] ;   Several names give several variables.
   // False at the word that ends the list (END_VAR, END_STRUCT …), which stays.
   bool variables(block::Section section, std::vector<VariableSyntax>& out);
-  void passStructure();
   std::optional<TypeSyntax> type();
   // { name := 'value' ; … }
   std::vector<std::pair<std::string, std::string>> attributes();
 
  private:
+  void passStructure();
   std::optional<TypeSyntax> typeHere();
   std::optional<TypeSyntax> array(TypeSyntax syntax);
   std::optional<TypeSyntax> structure(TypeSyntax syntax);
@@ -87,6 +87,8 @@ class DeclarationParser {
   bool tooMany_ = false;  // variables: told
 };
 
+// A word at which a list of declarations ends: END_VAR, END_STRUCT, BEGIN …
+bool endsDeclarations(std::string_view word);
 // Keyword of a block kind: OB, FB, FC, DB, UDT, SFB, SFC.
 std::optional<BlockKind> blockKindFromName(std::string_view word);
 
