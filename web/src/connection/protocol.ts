@@ -147,7 +147,7 @@ export interface Requests {
   'time.step': { fields: { cycles?: number }; result: Record<string, never> };
   /** is only answered */
   'ping': { fields: Record<string, never>; result: Record<string, never> };
-  /** `list` is a number chosen by the page; `point`, `once`: see below */
+  /** `list` is a number chosen by the page; a refused list leaves none of its number; `point`, `once`: see below */
   'watch.set': { fields: { list: number; items: WatchItem[]; everyMs?: number; point?: 'begin' | 'end' | 'stop' | 'now'; once?: boolean }; result: { items: WatchedItem[] } };
   'watch.drop': { fields: { list: number }; result: Record<string, never> };
   'variables.read': { fields: { items: WatchItem[] }; result: { items: { text: string; raw: number | null; problem?: Problem }[] } };
