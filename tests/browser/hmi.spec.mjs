@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, launch, open, scratch, turn, until, write } from './harness.mjs';
+import { expect, launch, message, open, scratch, turn, until, write } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const PROGRAM = `ORGANIZATION_BLOCK OB 1
@@ -173,6 +173,7 @@ test('a number is never cut; one that is refused is marked', async () => {
   await field.fill('abc');
   await field.press('Enter');
   await expect(() => field.getAttribute('aria-invalid'), 'true');
+  await message(panel, /MD 20: .*abc/);
   await field.fill('5');
   await field.press('Enter');
   await expect(() => field.getAttribute('aria-invalid'), null);
