@@ -35,9 +35,7 @@ export function inFields(problem: Problem, family = ''): Problem {
       const field = fieldWord(key, family);
       return field === key ? whole : `“${field}”`;
     });
-  return {
-    ...problem,
-    text: language.value === 'de' ? text.replace(/“([^“”„]*)”/g, '„$1“') : text,
-    arguments: undefined,
-  };
+  const mended: Problem = { ...problem, text: language.value === 'de' ? text.replace(/“([^“”„]*)”/g, '„$1“') : text };
+  delete mended.arguments;
+  return mended;
 }
