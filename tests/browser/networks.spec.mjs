@@ -147,6 +147,21 @@ test('what is typed while an edit is on its way is for what the edit makes', asy
   }
 });
 
+test('a coil without logic stays AWL with its reason; one put into an empty network has an open contact', async () => {
+  for (const view of ['kop', 'fup']) {
+    for (const bare of ['= A 3.0;', 'S A 3.0;', 'SAVE;']) {
+      await drawn(view, OF(['U E 0.0;', '= A 3.1;'], `NETWORK\n      ${bare}\n`));
+      await network(2).getByText('vor der Spule muss eine Verknüpfung stehen').waitFor();
+      await expect(() => elements(2), '', bare);
+    }
+    await drawn(view, OF([]));
+    await network().click();
+    await press('F7');
+    await operand('A 3.0');
+    await expect(statements, 'U ??.?; = A 3.0;', view);
+  }
+});
+
 test('a refused key says why, and the text typed behind it overwrites nothing', async () => {
   const before = 'U E 0.0; = A 1.0;';
   await drawn('kop', OF(['U E 0.0;', '= A 1.0;']));

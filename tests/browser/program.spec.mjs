@@ -102,6 +102,32 @@ test('the definition of the project is neither renamed nor deleted here', async 
   assert.equal(await page.getByRole('button', { name: 'Datei umbenennen' }).count(), 0);
 });
 
+test('the dialog for a new block forgets the name that was not taken', async () => {
+  await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+  await page.getByLabel(/^Baustein, z/).fill('DB 2');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+  await expect(() => page.getByLabel(/^Baustein, z/).inputValue(), '');
+  await page.keyboard.press('Escape');
+});
+
+test('the program alone is without the drawer, which comes back with the rest', async () => {
+  const drawer = page.locator('#program-panel');
+  await drawer.waitFor();
+  await content(page).focus();
+  await page.keyboard.press('Alt+F10');
+  await expect(() => drawer.isVisible(), false);
+  await page.getByRole('tab', { name: /^Fehler/ }).click();
+  await drawer.waitFor();
+  await page.keyboard.press('Alt+F10');
+  await page.locator('header').first().waitFor();
+  await drawer.waitFor();
+  await page.keyboard.press('Alt+F10');
+  await expect(() => drawer.isVisible(), false);
+  await page.keyboard.press('Alt+F10');
+  await drawer.waitFor();
+});
+
 test('a new data block is shared, an instance or of a type (S7-MGR-12)', async () => {
   await page.getByRole('button', { name: 'Neuer Baustein' }).click();
   await page.getByLabel(/^Baustein, z/).fill('DB 99');

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { networkLines, operandKey, operandsIn, operandsOf } from './nearby';
+import { isQueryOfTimer, networkLines, operandKey, operandsIn, operandsOf } from './nearby';
 import { outline } from './outline';
 
 const source = `FUNCTION FC 1 : VOID
@@ -51,4 +51,12 @@ test('where the operands of a line end', () => {
 test('a block without networks is one', () => {
   const [db] = outline('DATA_BLOCK DB 1\nSTRUCT\n a : INT ;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n');
   expect(networkLines(db!, 3)).toEqual({ first: 1, last: 6 });
+});
+
+test('a query of a timer sees its bit, not its time', () => {
+  for (const text of ['  U T 5;', 'm1: UN "Pause";', '      ON    T 5', 'AN T 5;'])
+    expect(isQueryOfTimer(text, 'T 5')).toBe(true);
+  expect(isQueryOfTimer('  U E 0.0;', 'E 0.0')).toBe(false);
+  for (const text of ['  L T 5;', '  SE T 5;', 'U: L T 5;']) expect(isQueryOfTimer(text, 'T 5')).toBe(false);
+  expect(isQueryOfTimer('  U Z 1;', 'Z 1')).toBe(true);
 });

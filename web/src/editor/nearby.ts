@@ -40,3 +40,7 @@ export function operandsIn(lines: readonly string[], isBlock: (symbol: string) =
   }
   return [...found.values()];
 }
+
+/** `U T 5` asks whether it runs: its time or count is not what the statement sees, the status column STA is. */
+export const isQueryOfTimer = (text: string, operand: string): boolean =>
+  /^\s*(?:\w+\s*:\s*)?(?:[UOXA]N?)\s/i.test(text) && /^[TZC]\s*\d/i.test(operand);

@@ -3,8 +3,8 @@ import { StateEffect, StateField, type Extension, type Line } from '@codemirror/
 import { Decoration, EditorView, ViewPlugin, WidgetType, type DecorationSet, type ViewUpdate } from '@codemirror/view';
 import { operandsOf } from './nearby';
 
-/** Of an operand in a line; null: none are shown. */
-export type OperandValues = ((written: string, line: number) => string | undefined) | null;
+/** Of an operand in a line with this text; null: none are shown. */
+export type OperandValues = ((written: string, line: number, text: string) => string | undefined) | null;
 export const setOperandValues = StateEffect.define<OperandValues>();
 
 export const operandValues = StateField.define<OperandValues>({
@@ -36,7 +36,7 @@ function decorated(view: EditorView): DecorationSet {
 
 const behind = ({ from, text, number }: Line, values: NonNullable<OperandValues>) =>
   operandsOf(text).flatMap(({ written, end }) => {
-    const value = values(written, number);
+    const value = values(written, number, text);
     return value === undefined ? [] : [Decoration.widget({ widget: new Value(value), side: 1 }).range(from + end)];
   });
 

@@ -2,7 +2,7 @@
 import { untrack } from 'svelte';
 import { kept } from '../state/kept.svelte';
 import { WatchList } from '../state/watch.svelte';
-import { operandKey, operandsIn } from './nearby';
+import { isQueryOfTimer, operandKey, operandsIn } from './nearby';
 import type { LocalValues } from './local_values';
 import type { OperandValues } from './operand_values';
 import { workspace } from './workspace.svelte';
@@ -44,7 +44,10 @@ export class SightedValues {
     const known = this.watch.items.filter((item) => !item.problem && item.raw !== null);
     const values = new Map(known.map((item) => [operandKey(item.operand), item.text]));
     const locals = this.locals();
-    return (written, line) =>
-      /^[#=]/.test(written) ? locals.get(line)?.get(operandKey(written)) : values.get(operandKey(written));
+    const operandOf = (written: string) => workspace.symbols.ofName(written.replace(/"/g, ''))?.operand ?? written;
+    return (written, line, text) => {
+      if (/^[#=]/.test(written)) return locals.get(line)?.get(operandKey(written));
+      return isQueryOfTimer(text, operandOf(written)) ? undefined : values.get(operandKey(written));
+    };
   }
 }

@@ -1,26 +1,31 @@
 // Program status beside the text (S7-EDIT-21): what the CPU had after each statement, as columns at the right edge.
 import { Facet, StateEffect, StateField, type Extension } from '@codemirror/state';
 import { EditorView, gutter, GutterMarker, showPanel, type Panel } from '@codemirror/view';
+import { language } from '../i18n';
 
 export interface StatusColumn {
   id: string;
   title: string;
+  /** If it is called something else there. */
+  english?: string;
   width: number; // characters
 }
 
 /** In the order of the rows of a status event, behind the line number. */
 export const statusColumns: readonly StatusColumn[] = [
-  { id: 'vke', title: 'VKE', width: 4 },
+  { id: 'vke', title: 'VKE', english: 'RLO', width: 4 },
   { id: 'sta', title: 'STA', width: 4 },
   { id: 'or', title: 'OR', width: 3 },
-  { id: 'akku1', title: 'AKKU 1', width: 9 },
-  { id: 'akku2', title: 'AKKU 2', width: 9 },
+  { id: 'akku1', title: 'AKKU 1', english: 'ACCU 1', width: 9 },
+  { id: 'akku2', title: 'AKKU 2', english: 'ACCU 2', width: 9 },
   { id: 'ar1', title: 'AR1', width: 10 },
   { id: 'ar2', title: 'AR2', width: 10 },
   { id: 'stw', title: 'STW', width: 5 },
   { id: 'db', title: 'DB', width: 5 },
   { id: 'di', title: 'DI', width: 5 },
 ];
+export const titleOf = ({ title, english = title }: StatusColumn): string =>
+  language.value === 'de' ? title : english;
 export const standardColumns = ['vke', 'sta', 'akku1'];
 
 /** Behind the columns: of a CALL what its operands held, by parameter; of S, R, FP and FN a local bit, by its name. */
@@ -103,7 +108,7 @@ function header(view: EditorView): Panel {
   const dom = document.createElement('div');
   dom.className = 'cm-status-head';
   const show = (): void =>
-    dom.replaceChildren(row(columnsOf(view).map(({ column }) => ({ text: column.title, column }))));
+    dom.replaceChildren(row(columnsOf(view).map(({ column }) => ({ text: titleOf(column), column }))));
   const place = (): void => {
     dom.style.paddingRight = `${view.scrollDOM.offsetWidth - view.scrollDOM.clientWidth}px`;
   };
