@@ -76,6 +76,22 @@ TEST(Trigger, TheTransitionToStopShowsAndSetsTheLastValues) {
   EXPECT_EQ(found("modified")["list"], 1);
 }
 
+TEST(Trigger, ModifiesEachByItself) {
+  Bench bench(kCycle);
+  const Json wanted = {{"list", 1},
+                       {"items",
+                        {{{"operand", "MW 2"}, {"value", "abc"}, {"format", "DEC"}},
+                         {{"operand", "MW 4"}, {"value", "100"}, {"format", "DEC"}}}},
+                       {"point", "begin"},
+                       {"each", true}};
+  const Json refused = bench.call("modify.set", wanted)["refused"];
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_EQ(refused[0]["item"], 0);
+  bench.call("watch.set", watch("begin", false));
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(number(bench.event("values"), 1), 100);
+}
+
 // At the begin of each cycle MW 4 is 100: OB 1 sees nothing else.
 TEST(Trigger, ModifiesAtTheBeginOfEachCycle) {
   Bench bench(kCycle);
