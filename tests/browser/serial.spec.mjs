@@ -146,6 +146,8 @@ test('parameters of the sub-module are pages and go into merker.toml (PTP-PARAM-
   await delay.fill('15ms');
   await delay.press('Enter');
   await message(weighing, 'muss 20 bis 65530 ms sein');
+  await expect(() => delay.getAttribute('aria-invalid'), 'true');
+  await delay.press('Escape');
   await expect(() => delay.inputValue(), '2s');
   await mask('Datenempfang').click();
   assert.ok(await weighing.getByLabel('Max. gepufferte Empfangstelegramme').isDisabled());

@@ -36,6 +36,7 @@ export function inFields(problem: Problem, family = ''): Problem {
       return field === key ? whole : `“${field}”`;
     });
   const mended: Problem = { ...problem, text: language.value === 'de' ? text.replace(/“([^“”„]*)”/g, '„$1“') : text };
-  delete mended.arguments;
+  // It is told already.
+  delete (mended as Partial<Problem>).arguments;
   return mended;
 }
