@@ -148,7 +148,7 @@ TEST(Program, StructureSaysWhatIsMissing) {
   Bench bench(
       "DATA_BLOCK DB 1\nSTRUCT\n a : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"
       "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n AUF DB 1;\n UC FC 60;\n UC FC 99;\n"
-      " CALL FC 97 (in := MW 10, RET_VAL := MD 60);\n CALL SFC 64 (RET_VAL := MD "
+      " CALL FC 97 (IN := MW 10, RET_VAL := MD 60);\n CALL SFC 64 (RET_VAL := MD "
       "50);\nEND_ORGANIZATION_BLOCK\n");
   const Json list = bench.call("program.structure")["blocks"];
   ASSERT_EQ(list.size(), 1u);
