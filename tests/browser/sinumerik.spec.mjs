@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { content, problems, replaceAll, text } from './editor.mjs';
-import { expect, open, quiet, serve, turn, until, visit } from './harness.mjs';
+import { expect, open, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('step5/tool-changer');
 const page = await open(server, 'projects');
@@ -32,8 +32,7 @@ test('a changed listing is loaded: the PLC begins again with it', async () => {
   await replaceAll(page, before.replace(/OB 1\b/, 'OB 99'));
   await until(async () => (await problems(page).count()) > 0, 'a problem');
   await page.getByRole('button', { name: 'Laden', exact: true }).click();
-  await page.locator('.message.problem').first().waitFor();
-  await quiet(page);
+  await expect(() => page.getByRole('tab', { name: /^Fehler/ }).getAttribute('aria-selected'), 'true');
   await replaceAll(page, before);
   await expect(() => problems(page).count(), 0);
   await page.getByRole('button', { name: 'Laden', exact: true }).click();
