@@ -49,10 +49,24 @@ void Cpu::download(std::shared_ptr<const block::Program> program) {
   if (mode() == Mode::Stop || machine_.levels.empty()) activateDownload();
 }
 
+// What happened in them has no line of the new text.
+void Cpu::noteReplaced(const block::Program& before) {
+  std::set<BlockId> blocks;
+  const block::Program& now = *loadMemory_.program();
+  for (const auto& [id, block] : before) {
+    const auto found = now.find(id);
+    if (found == now.end() || found->second.code != block.code) blocks.insert(id);
+  }
+  log_.replaced(blocks);
+  state_.replaced(blocks);
+}
+
 void Cpu::activateDownload() {
   if (!loadMemory_.downloaded()) return;
   if (mode() == Mode::Stop) clearStacks();  // the interrupted program cannot go on
+  const std::shared_ptr<const block::Program> before = loadMemory_.program();
   loadMemory_.activate();
+  if (before != nullptr) noteReplaced(*before);
   quiet_.forgetProgram();
   if (mode() != Mode::Stop) interrupts_.update(mode() == Mode::Run);
 }

@@ -186,6 +186,7 @@ class Cpu {
   void shiftTimers(Duration by);
   void shiftProgramTime(Duration by);
   // others
+  void noteReplaced(const block::Program& before);
   void activateDownload();
   bool running() const;  // or it was when power went
   void takeTimes(const Snapshot& from, Duration shift);

@@ -21,4 +21,8 @@ void Diagnostics::add(DiagnosticEvent event) {
   ++added_;
 }
 
+void Diagnostics::replaced(const std::set<BlockId>& blocks) {
+  for (DiagnosticEvent& event : events_) event.place.replaced |= blocks.contains(event.place.block);
+}
+
 }  // namespace merker::cpu

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Place {
   bool known = false;
   BlockId block{};
   std::uint32_t offset = 0;  // bytes of code
+  bool replaced = false;     // the block has been loaded with other code since, or deleted
 };
 
 // Bytes 4..11 of an entry.
@@ -39,7 +41,8 @@ class Diagnostics {
   static constexpr std::size_t kCapacity = 100;
   // The oldest entry makes room.
   void add(DiagnosticEvent event);
-  void clear() { events_.clear(); }                                       // entries count on
+  void clear() { events_.clear(); }  // entries count on
+  void replaced(const std::set<BlockId>& blocks);
   const std::vector<DiagnosticEvent>& events() const { return events_; }  // newest last
   std::uint64_t added() const { return added_; }
 

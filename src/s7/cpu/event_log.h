@@ -31,6 +31,8 @@ class EventLog {
   DiagnosticEvent entry(std::uint16_t event, std::string text, Place place) const;
   void add(DiagnosticEvent event) { buffer_.add(std::move(event)); }
   void clear() { buffer_.clear(); }
+  // These blocks have other code from now on.
+  void replaced(const std::set<BlockId>& blocks) { buffer_.replaced(blocks); }
 
  private:
   const Machine& machine_;

@@ -73,13 +73,6 @@ void Machine::leave() {
   --levels.back().frames;
 }
 
-bool Machine::runsAnother(const block::Block& block) const {
-  return std::any_of(frames.begin(), frames.end(), [&block](const Frame& frame) {
-    const block::Block* ran = frame.code == nullptr ? nullptr : frame.code->source;
-    return ran != nullptr && ran->id == block.id && ran->code != block.code;
-  });
-}
-
 const Frame* Machine::caller() const { return top->first || frames.size() < 2 ? nullptr : top - 1; }
 
 void Machine::reopenBlocks() {

@@ -82,9 +82,6 @@ struct Machine {
   }  // lets the engine return after this instruction
   // Local data of the block that called the running one; null if none.
   const Frame* caller() const;
-  // Whether a block of this number runs, or stopped, with other code than this one: loaded since,
-  // it has other places.
-  bool runsAnother(const block::Block& block) const;
   // After creation or deletion of a data block: registers and saved registers see the new place.
   void reopenBlocks();
 };

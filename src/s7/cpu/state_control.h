@@ -30,6 +30,9 @@ class StateControl {
   bool executing() const { return executes(mode_); }
   bool stoppedByFault() const { return stoppedByFault_; }
   const DiagnosticEvent& stopEvent() const { return stopEvent_; }
+  void replaced(const std::set<BlockId>& blocks) {
+    stopEvent_.place.replaced |= blocks.contains(stopEvent_.place.block);
+  }
   // The instant that timers see: they stand still in STOP and HALT (S7-TMR-22).
   Instant programTime() const { return executing() ? machine_.clock : frozenAt_; }
   // How long the program has been standing still.

@@ -12,13 +12,11 @@
 namespace merker::station {
 namespace {
 
-// The line only while the block is the one that ran.
-std::string placeText(const cpu::Place& place, const block::Program& program,
-                      const cpu::Machine& machine) {
+std::string placeText(const cpu::Place& place, const block::Program& program) {
   if (!place.known) return {};
   std::string text = fmt::format(", {} byte {}", toString(place.block), place.offset);
   const auto found = program.find(place.block);
-  if (found == program.end() || machine.runsAnother(found->second)) return text;
+  if (found == program.end() || place.replaced) return text;
   const block::Block& block = found->second;
   const std::uint32_t line = block.line(place.offset);
   if (line != 0) text += fmt::format(" ({}:{})", block.file, line);
@@ -107,8 +105,8 @@ std::string Station::stopReason() const {
   if (!powered()) return "the CPU is switched off";
   const cpu::DiagnosticEvent& event = parts_->cpu.state().stopEvent();
   if (event.text.empty()) return {};
-  return fmt::format("{}{} [16#{:04X}]", event.text,
-                     placeText(event.place, program(), parts_->cpu.machine()), event.event);
+  return fmt::format("{}{} [16#{:04X}]", event.text, placeText(event.place, program()),
+                     event.event);
 }
 
 void Station::setSwitch(cpu::SwitchPosition position) { parts_->cpu.turnSwitch(position); }
@@ -246,8 +244,8 @@ const std::vector<DiagnosticEntry>& Station::diagnostics() const {
   p.diagnosticsSeen = buffer.added();
   p.diagnostics.clear();
   for (const cpu::DiagnosticEvent& event : buffer.events())
-    p.diagnostics.push_back({event.event, event.time,
-                             event.text + placeText(event.place, *p.program, p.cpu.machine())});
+    p.diagnostics.push_back(
+        {event.event, event.time, event.text + placeText(event.place, *p.program)});
   return p.diagnostics;
 }
 
@@ -289,6 +287,7 @@ std::string Station::download(std::shared_ptr<const block::Program> program,
     return fmt::format("the CPU is write-protected (protection level {}); the password is needed",
                        parts_->cpu.parameters().protection);
   parts_->program = program;
+  parts_->diagnosticsSeen = 0;  // places have other lines
   parts_->cpu.download(std::move(program));
   return {};
 }

@@ -5,7 +5,6 @@
 #include "base/bytes.h"
 #include "cpu/asynchronous_errors.h"
 #include "cpu/cpu.h"
-#include "monitor/stacks.h"
 
 namespace merker::monitor {
 namespace {
@@ -22,6 +21,7 @@ std::optional<DiagnosticLine::ModuleAddress> moduleOf(const cpu::DiagnosticEvent
 
 std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
   const cpu::Cpu& cpu = station.cpu();
+  static const block::Program kNone;
   std::vector<DiagnosticLine> list;
   const auto& events = cpu.diagnostics().events();
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
@@ -34,7 +34,8 @@ std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
     line.text = event->text;
     line.help = diagnosticHelp(event->event);
     if (event->place.known)
-      line.place = placeNow(cpu, station.program(), event->place.block, event->place.offset);
+      line.place = sourcePlace(event->place.replaced ? kNone : station.program(),
+                               event->place.block, event->place.offset);
     line.module = moduleOf(*event);
     list.push_back(std::move(line));
   }

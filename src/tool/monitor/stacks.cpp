@@ -24,7 +24,7 @@ BlockStackEntry entry(const cpu::Cpu& cpu, const block::Program& program, std::s
   const cpu::Machine& m = cpu.machine();
   const cpu::Frame& frame = m.frames[index];
   BlockStackEntry result;
-  result.place = placeNow(cpu, program, frame.code->source->id, offsetOf(cpu, frame));
+  result.place = sourcePlace(program, frame.code->source->id, offsetOf(cpu, frame));
   result.organizationBlock = frame.first;
   const OpenBlocks open = openBlocks(m, index);
   result.db = open.db.number;
@@ -43,7 +43,7 @@ InterruptStackEntry interrupt(const cpu::Cpu& cpu, const block::Program& program
   result.errorOb = level.errorOb;
   if (m.frames[frame].code != nullptr)
     result.place =
-        placeNow(cpu, program, m.frames[frame].code->source->id, offsetOf(cpu, m.frames[frame]));
+        sourcePlace(program, m.frames[frame].code->source->id, offsetOf(cpu, m.frames[frame]));
   result.registers =
       toRegisters(top ? m.registers : m.levels[index + 1].interrupted, m.fourAccumulators);
   const std::size_t bracketEnd = top ? m.brackets.size() : m.levels[index + 1].bracketBase;
@@ -55,14 +55,6 @@ InterruptStackEntry interrupt(const cpu::Cpu& cpu, const block::Program& program
 }
 
 }  // namespace
-
-SourcePlace placeNow(const cpu::Cpu& cpu, const block::Program& program, BlockId id,
-                     std::uint32_t offset) {
-  const auto now = program.find(id);
-  const bool another = now != program.end() && cpu.machine().runsAnother(now->second);
-  static const block::Program kNone;
-  return sourcePlace(another ? kNone : program, id, offset);
-}
 
 // What the block above gives back at its end, or what an interrupt has saved, or the present ones.
 OpenBlocks openBlocks(const cpu::Machine& m, std::size_t frame) {

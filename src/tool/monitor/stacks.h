@@ -42,11 +42,6 @@ struct Stacks {
   bool withoutDi() const { return !interrupts.empty() && !interrupts.front().registers.di; }
 };
 
-// A place at which the CPU has stopped. Of a block that has been loaded with other code since
-// nothing but the address is known.
-SourcePlace placeNow(const cpu::Cpu& cpu, const block::Program& program, BlockId id,
-                     std::uint32_t offset);
-
 // What the block of a frame has open: index into machine.frames, the last one is the running block.
 struct OpenBlocks {
   cpu::OpenBlock db, di;
