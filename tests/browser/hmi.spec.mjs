@@ -314,6 +314,27 @@ test('a number and a bar have a format of their own', async () => {
   await expect(lines, 'number ; 20 ; 20 ; 150 ; 40 ; MD 34 ;  ;  ;  ; REAL|bar ; 200 ; 20 ; 30 ; 140 ; MD 34 ; ; 0 ; 10');
 });
 
+// The rows of src/tool/monitor/display_format.cpp.
+const FITTING = {
+  'MB 40': 'AUTO BIN HEX DEC UDEC BCD CHAR',
+  'MW 42': 'AUTO BIN HEX DEC UDEC BCD CHAR S5TIME DATE COUNTER',
+  'MD 44': 'AUTO BIN HEX DEC UDEC BCD CHAR REAL TIME TOD POINTER KG',
+};
+
+test('each format shows a value where it fits the operand, and a question mark where not', async () => {
+  for (const [operand, fitting] of Object.entries(FITTING))
+    for (const kind of ['number', 'bar']) {
+      await choose(`${kind}${operand.slice(0, 2)}`, `${kind} ; 20 ; 20 ; 60 ; 140 ; ${operand} ; ; 0 ; 10\n`);
+      await grip(kind).focus();
+      const format = properties.getByLabel('Anzeigeformat');
+      for (const name of await format.locator('option').evaluateAll((all) => all.map((one) => one.value))) {
+        await format.selectOption(name);
+        const wanted = fitting.split(' ').includes(name);
+        await until(async () => ((await valueOf(operand)) !== '?') === wanted, () => `${name} of ${operand} in a ${kind}`);
+      }
+    }
+});
+
 test('a symbol that cannot be watched leaves the others', async () => {
   await write(page, { 'MW 200': 77 });
   await choose('Lang', `lamp ; 20 ; 20 ; 40 ; 40 ; ${'x'.repeat(450)}\nnumber ; 200 ; 20 ; 110 ; 40 ; MW 200\n`);

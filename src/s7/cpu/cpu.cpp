@@ -1,5 +1,7 @@
 #include "cpu/cpu.h"
 
+#include "cpu/same_code.h"
+
 namespace merker::cpu {
 
 Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock)
@@ -55,7 +57,7 @@ void Cpu::noteReplaced(const block::Program& before) {
   const block::Program& now = *loadMemory_.program();
   for (const auto& [id, block] : before) {
     const auto found = now.find(id);
-    if (found == now.end() || found->second.code != block.code) blocks.insert(id);
+    if (found == now.end() || !sameCode(block, found->second)) blocks.insert(id);
   }
   log_.replaced(blocks);
   state_.replaced(blocks);

@@ -30,19 +30,18 @@ constexpr std::array kTimers{OperandKind::Timer, OperandKind::TimerIndirect,
 constexpr std::array kCounters{OperandKind::Counter, OperandKind::CounterIndirect,
                                OperandKind::CounterParameter};
 
-// Known now, or guarded.
-std::optional<Cell> cellOf(Lowering& l, bool isDirect, unsigned count) {
-  auto number = isDirect ? std::optional(l.operand().value) : std::nullopt;
-  if (!isDirect) {
-    const auto value = numberOperand(l);
-    if (!value) return std::nullopt;
-    number = l.to.number(*value);
-    if (!number) {
-      l.to.guard(l.to.make(Opcode::Below, *value, l.to.constant(count)));
-      return Cell{.value = *value};
-    }
-  }
-  return *number < count ? std::optional(Cell{.number = *number}) : std::nullopt;
+std::optional<Cell> numbered(std::uint32_t number, unsigned count) {
+  return number < count ? std::optional(Cell{.number = number}) : std::nullopt;
+}
+
+// Of the CPU's `count`; what is known only when the region runs is guarded.
+std::optional<Cell> cellOf(Lowering& l, OperandKind direct, unsigned count) {
+  if (l.operand().kind == direct) return numbered(l.operand().value, count);
+  const auto value = numberOperand(l);
+  if (!value) return std::nullopt;
+  if (const auto number = l.to.number(*value)) return numbered(*number, count);
+  l.to.guard(l.to.make(Opcode::Below, *value, l.to.constant(count)));
+  return Cell{.value = *value};
 }
 
 // Gives what the edge memory says, and keeps the RLO in it.
@@ -164,14 +163,12 @@ bool isTimer(OperandKind kind) { return isAnyOf(kind, kTimers); }
 bool isCounter(OperandKind kind) { return isAnyOf(kind, kCounters); }
 
 std::optional<Cell> timerOf(Lowering& l) {
-  const OperandKind kind = l.operand().kind;
-  if (!isTimer(kind)) return std::nullopt;
-  return cellOf(l, kind == OperandKind::Timer, l.model.timers);
+  if (!isTimer(l.operand().kind)) return std::nullopt;
+  return cellOf(l, OperandKind::Timer, l.model.timers);
 }
 std::optional<Cell> counterOf(Lowering& l) {
-  const OperandKind kind = l.operand().kind;
-  if (!isCounter(kind)) return std::nullopt;
-  return cellOf(l, kind == OperandKind::Counter, l.model.counters);
+  if (!isCounter(l.operand().kind)) return std::nullopt;
+  return cellOf(l, OperandKind::Counter, l.model.counters);
 }
 
 // S7-TMR: started and not yet over, the delays started and over; SS and SA also while held. Only

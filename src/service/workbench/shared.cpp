@@ -163,10 +163,9 @@ void Shared::giveUp(const Work& task) {
   if (offlineJob_ && offlineJob_->task == task) offlineJob_ = nullptr;
 }
 
-WatchExtent watched(const Browser& browser, std::int64_t exceptList) {
+WatchExtent watched(const Browser& browser) {
   WatchExtent sum;
-  for (const auto& [number, list] : browser.lists)
-    if (number != exceptList) sum += list.extent();
+  for (const auto& [number, list] : browser.lists) sum += list.extent();
   return sum;
 }
 

@@ -163,8 +163,8 @@ struct Browser {
   HeldBits heldBits;
 };
 
-// Its watch lists besides this one.
-WatchExtent watched(const Browser& browser, std::int64_t exceptList);
+// All its watch lists.
+WatchExtent watched(const Browser& browser);
 // Operands that this browser has at trigger points, besides those of these lists.
 std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch, std::int64_t exceptModify);
 

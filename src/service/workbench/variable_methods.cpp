@@ -29,7 +29,7 @@ Answer watch(const Call& call) {
   if (trigger && pointItems(call.browser, number, kNone) + wanted.size() > kPointItems)
     return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
   WatchList list(std::move(wanted), every, trigger);
-  WatchExtent all = watched(call.browser, number);
+  WatchExtent all = watched(call.browser);
   all += list.extent();
   if (all.items > kWatched) return refused(ProblemCode::P1314, kWatched, "watched operands");
   if (all.bytes > kWatchedBytes)

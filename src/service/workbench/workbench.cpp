@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "scenario/steps/serial.h"
 #include "workbench/axis_shown.h"
@@ -86,23 +83,8 @@ void Workbench::show(std::shared_ptr<Plc> plc, bool example) {
   shared_.show(std::move(plc), example, std::move(seen));
 }
 
-// Its lists can be most of the memory. It goes back to the system, where the library would keep it
-// for the next browser.
-void Workbench::freeLists(BrowserId browser) {
-  constexpr std::size_t kMany = 5'000;
-  const bool many = watched(browsers_[browser], -1).items > kMany;
-  auto lists = std::make_shared<decltype(Browser::lists)>(std::move(browsers_[browser].lists));
-  shared_.clerk(std::make_shared<Task>(0, [lists = std::move(lists), many](const auto&) {
-    lists->clear();
-#ifdef __GLIBC__
-    if (many) ::malloc_trim(0);
-#endif
-  }));
-}
-
 void Workbench::closed(BrowserId browser) {
   dropWaiting(browser);
-  freeLists(browser);
   releaseHeld(shared_, browsers_[browser]);
   if (shared_.plc) browsers_[browser].heldBits.release(shared_.plc->monitor());
   shared_.discard(std::move(browsers_[browser].download));

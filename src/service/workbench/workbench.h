@@ -83,7 +83,6 @@ class Workbench {
   void park(Waiting waiting);
   std::string answerText(std::int64_t id, Answer answer);
   void dropWaiting(BrowserId browser);
-  void freeLists(BrowserId browser);
   void sampleTrends();
   void reached(monitor::CyclePoint point);
   void stepOn(const Enough& enough);

@@ -30,7 +30,7 @@ TEST(RepeatedSum, IsTheSameAsStepByStep) {
 // Past many powers of two, on both sides of zero.
 TEST(RepeatedSum, PassesZeroAndPowersOfTwo) {
   for (const double summand : {1e-4, 0.1 / 3, 1.0 / 1024, 3e-9})
-    for (const double sum : {0.0, -0.2, -1.0, 1e-300, 1e-17}) {
+    for (const double sum : {0.0, -0.2, -1.0, 1e-300, 1e-310, 1e-17}) {
       EXPECT_EQ(addRepeatedly(sum, summand, 100'000), oneByOne(sum, summand, 100'000));
       EXPECT_EQ(addRepeatedly(-sum, -summand, 100'000), oneByOne(-sum, -summand, 100'000));
     }
@@ -47,6 +47,9 @@ TEST(RepeatedSum, RoundsHalvesByTurns) {
 TEST(RepeatedSum, StandsWhereTheSummandIsTooSmall) {
   EXPECT_EQ(addRepeatedly(1, 1e-20, std::numeric_limits<std::int64_t>::max()), 1);
   EXPECT_EQ(addRepeatedly(0.5, 0, 1'000'000'000), 0.5);
+  const double beyond = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(addRepeatedly(beyond, 1, 1000), beyond);
+  EXPECT_EQ(addRepeatedly(1e308, 1e305, 1'000'000), beyond);
 }
 
 TEST(RepeatedSum, TakesALongTimeInOneGo) {
