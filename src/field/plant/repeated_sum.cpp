@@ -13,6 +13,7 @@ constexpr std::int64_t kFew = 16;  // are added one by one
 // between the powers of two around `sum`, so they are rounded to the same place. Half a unit of
 // this place would be rounded up or down by turns; such a summand has no even steps.
 std::int64_t evenSteps(double sum, double summand, double next, std::int64_t count) {
+  if (!std::isnormal(sum)) return 0;  // 0 has no exponent
   const int exponent = std::ilogb(sum);
   const double unit = std::ldexp(1, exponent - std::numeric_limits<double>::digits + 1);
   const double step = next - sum;
